@@ -60,7 +60,7 @@ static_program() {
     CC_x86_64_unknown_linux_musl=musl-gcc CARGO_TARGET_X86_64_UNKNOWN_LINUX_MUSL_RUSTFLAGS="$flags" \
         cargo build --release --locked --target "$target" -p coulter-cli
     program="$dist/coulter-$version-$target"
-    strip -o "$program" "$built/$target/release/coulter"
+    cp "$built/$target/release/coulter" "$program"
 }
 
 # Licences of all crates in program and wheel, of what these bring along in C, of Rust's library and of the font in the pictures.

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Licences, sources and duplicates of the dependencies, by deny.toml; known weaknesses where the database of them can be fetched.
+# Licences, sources and duplicates of the dependencies, by deny.toml; dependencies that nobody uses; known weaknesses where the database of
+# them can be fetched.
 #
 #   scripts/release/check_dependencies.sh
 #
@@ -27,6 +28,12 @@ fi
 # Of all systems, also those that are never built here.
 cargo fetch --locked --quiet
 "$deny" --locked --offline check bans licenses sources
+machete="$(command -v cargo-machete || echo "$tools/bin/cargo-machete")"
+if [ ! -x "$machete" ]; then
+    # No package index has the program; unoptimised it is built in half the time, and takes a second.
+    cargo install cargo-machete --version 0.9.2 --locked --debug --root "$tools"
+fi
+"$machete" crates
 # The database is a git repository on GitHub, which not every machine can reach; a weakness in a dependency is no fault of a change.
 if timeout 120 "$deny" fetch db >/dev/null 2>&1; then
     "$deny" --locked check advisories

@@ -1,6 +1,6 @@
 //! Closed-form models of soil–body interaction, from the literature and derived for this project.
 //!
-//! This crate shares no code with the solver, so that agreement between the two says something about the soil. SI units
+//! This crate shares nothing that knows of soil with the solver, so that agreement between the two says something about the soil. SI units
 //! and radians throughout; drag is positive when it resists the tow, vertical force positive when the soil pushes the
 //! body up, sinkage positive downwards. An input outside the range of a formula is an error; it is never clamped.
 
@@ -13,7 +13,6 @@ pub mod error;
 pub mod exact;
 pub mod forecast;
 mod motion;
-mod numeric;
 pub mod penetration;
 pub mod pipe;
 mod pore_water;

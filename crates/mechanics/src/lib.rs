@@ -16,7 +16,6 @@ mod gimbal;
 mod impulses;
 mod inertia;
 pub mod joint;
-mod linear;
 mod mechanism;
 mod midpoint;
 mod mobility;

@@ -2,11 +2,11 @@
 
 use crate::cayley::outer;
 use crate::freedom::Directions;
-use crate::linear;
 use crate::spatial::SpatialInertia;
 use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::{DMat3, DVec3};
+use numerics::semidefinite;
 
 /// Mobility of a body: the symmetric 6×6 matrix that maps an impulse about the reference point to the change of the twist.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,12 +31,12 @@ impl Mobility {
                 matrix[i * n + j] = momentum.dot(row);
             }
         }
-        linear::factor(&mut matrix[..n * n], n);
+        semidefinite::factor(&mut matrix[..n * n], n);
         let mut mobility = Self { linear: DMat3::ZERO, coupling: DMat3::ZERO, angular: DMat3::ZERO };
         for (j, column) in columns.iter().enumerate() {
             let mut response = [0.0; 6];
             response[j] = 1.0;
-            linear::solve(&matrix[..n * n], &mut response[..n]);
+            semidefinite::solve(&matrix[..n * n], &mut response[..n]);
             let twist = free.sum(&response);
             mobility.linear += outer(twist.linear, column.linear);
             mobility.coupling += outer(twist.linear, column.angular);

@@ -5,12 +5,12 @@ use crate::configuration::Configuration;
 use crate::gimbal::Axes;
 use crate::impulses::Impulses;
 use crate::joint::{Row, Rows};
-use crate::linear;
 use crate::mobility::Mobility;
 use crate::spatial::SpatialInertia;
 use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::DVec3;
+use numerics::semidefinite;
 
 /// A body during one step. Impulses are about the reference point, on the whole body.
 #[derive(Clone, Debug)]
@@ -117,7 +117,7 @@ impl MovingJoint {
                 block[i * n + j] = self.velocity(row, response) + yields;
             }
         }
-        linear::factor(&mut block[..n * n], n);
+        semidefinite::factor(&mut block[..n * n], n);
         self.block = block;
     }
 
@@ -135,7 +135,7 @@ impl MovingJoint {
         for (k, row) in rows.iter().enumerate() {
             impulses[k] = self.missing(k, row, bodies);
         }
-        linear::solve(&self.block[..n * n], &mut impulses[..n]);
+        semidefinite::solve(&self.block[..n * n], &mut impulses[..n]);
         impulses
     }
 

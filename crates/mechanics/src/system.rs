@@ -3,9 +3,9 @@
 //! Solved directly, with rows that repeat others left out, so that chains and closed loops need no iteration.
 
 use crate::joint::Row;
-use crate::linear;
 use crate::moving::{MovingBody, MovingJoint};
 use crate::wrench::Wrench;
+use numerics::semidefinite;
 
 /// Matrix of the system and its factors, kept between steps for their memory.
 #[derive(Clone, Debug, Default)]
@@ -53,7 +53,7 @@ impl System {
             self.silence_springs(joints, n);
         }
         self.factors.clone_from(&self.matrix);
-        linear::factor(&mut self.factors, n);
+        semidefinite::factor(&mut self.factors, n);
     }
 
     /// Zero rows and columns get no impulse.
@@ -76,7 +76,7 @@ impl System {
         self.impulses.clear();
         self.impulses.resize(n, 0.0);
         for _ in 0..=REFINEMENTS {
-            linear::solve(&self.factors, &mut self.rest);
+            semidefinite::solve(&self.factors, &mut self.rest);
             for (impulse, change) in self.impulses.iter_mut().zip(&self.rest) {
                 *impulse += change;
             }

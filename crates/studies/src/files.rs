@@ -1,21 +1,9 @@
 //! Reading and writing of files, whole or not at all: the only file of this crate that touches any.
 
-use coulter::output::Inside;
+use coulter::output::{FileError, Inside};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-
-/// Why a file could not be read or written.
-#[derive(Debug, thiserror::Error)]
-#[error("cannot {action} {}: {source}", .path.display())]
-pub struct FileError {
-    /// What was tried.
-    pub action: &'static str,
-    /// On which file or folder.
-    pub path: PathBuf,
-    /// What the operating system said.
-    pub source: io::Error,
-}
 
 /// Names the file in an error of the system.
 fn named<T>(result: io::Result<T>, action: &'static str, path: &Path) -> Result<T, FileError> {
@@ -46,8 +34,7 @@ pub fn read_inside(from: &Inside, most: u64) -> Result<Vec<u8>, FileError> {
     named(from.read(most), "read", &from.path())
 }
 
-/// Writes a whole file: under a name of its own first, which is then renamed, so that neither a kill nor another process that writes
-/// the same file leaves half of one.
+/// Writes a whole file, so that neither a kill nor another process that writes the same file leaves half of one.
 ///
 /// # Errors
 /// [`FileError`] where it cannot be written.
@@ -55,25 +42,19 @@ pub fn write(to: &Inside, content: &[u8]) -> Result<(), FileError> {
     write_with(to, |file| file.write_all(content))
 }
 
-/// As [`write`], as a stream.
+/// Writes a whole file as a stream, like [`write`].
 ///
 /// # Errors
 /// [`FileError`] where it cannot be written.
 pub fn write_with(
     to: &Inside,
-    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
 ) -> Result<(), FileError> {
-    let draft = to.with_ending(&format!(".{}.part", std::process::id()));
-    let written = draft.create().and_then(|file| {
+    let done = to.write_whole(&format!(".{}.part", std::process::id()), |file| {
         let mut file = BufWriter::new(file);
         write(&mut file).and_then(|()| file.flush())
     });
-    let done = written.and_then(|()| draft.rename(to));
-    if done.is_err() {
-        // On a full disk half a file would only take up space.
-        let _ = draft.remove();
-    }
-    named(done, "write", &to.path())
+    named(done.map_err(|error| error.source), "write", &to.path())
 }
 
 /// Creates a folder and its parents.

@@ -7,7 +7,6 @@ pub mod comparison;
 pub mod expression;
 pub mod files;
 mod laid_over;
-mod linear_algebra;
 pub mod measured;
 pub mod page;
 pub mod responses;

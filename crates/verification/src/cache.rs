@@ -6,7 +6,9 @@
 use crate::options::SuiteOptions;
 use crate::row::Row;
 use crate::run_balances::RunBalances;
+use coulter::output::Inside;
 use serde::{Deserialize, Serialize};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::{Xxh3, xxh3_64};
 
@@ -40,7 +42,7 @@ impl ResultCache {
 
     /// The cached results of a part, if there are any.
     pub(crate) fn read(&self, id: &'static str, part: &str) -> Option<CachedPart> {
-        let file = std::fs::read(self.file(id, part)).ok()?;
+        let file = self.file(id, part).read(u64::MAX).ok()?;
         let (head, body) = file.split_first_chunk::<16>()?;
         if *head != self.head(body) {
             return None;
@@ -57,18 +59,18 @@ impl ResultCache {
     /// When the file cannot be written.
     pub(crate) fn write(&self, id: &str, part: &str, found: &CachedPart) -> std::io::Result<()> {
         let body = postcard::to_stdvec(found).map_err(std::io::Error::other)?;
-        std::fs::create_dir_all(&self.folder)?;
-        let path = self.file(id, part);
-        // An interruption while it is being written must not leave half a file behind.
-        let draft = path.with_extension(format!("draft-{}", std::process::id()));
-        std::fs::write(&draft, [&self.head(&body)[..], &body].concat())?;
-        std::fs::rename(&draft, &path)
+        Inside::of(&self.folder, "").make_folder()?;
+        let content = [&self.head(&body)[..], &body].concat();
+        let draft = format!(".draft-{}", std::process::id());
+        let done = self.file(id, part).write_whole(&draft, |file| file.write_all(&content));
+        done.map_err(|error| error.source)
     }
 
-    fn file(&self, id: &str, part: &str) -> PathBuf {
+    fn file(&self, id: &str, part: &str) -> Inside {
         let plain: String = part.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
         // Different parts may have the same letters and digits: a hash tells them apart.
-        self.folder.join(format!("{id}_{plain}_{:08x}.cached", xxh3_64(part.as_bytes()) as u32))
+        let name = format!("{id}_{plain}_{:08x}.cached", xxh3_64(part.as_bytes()) as u32);
+        Inside::of(&self.folder, name)
     }
 
     /// The key of program and options, and the hash of what follows.
@@ -104,7 +106,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let cache = ResultCache::new(folder.path(), &SuiteOptions::default()).unwrap();
         cache.write("A4", "", &CachedPart { rows: Vec::new(), balances: Vec::new() }).unwrap();
-        let path = cache.file("A4", "");
+        let path = cache.file("A4", "").path();
         let mut file = std::fs::read(&path).unwrap();
         *file.last_mut().unwrap() ^= 1;
         std::fs::write(&path, file).unwrap();

@@ -2,7 +2,7 @@
 
 use super::Footing;
 use crate::error::{ModelResult, non_negative, positive, within};
-use crate::numeric::root;
+use numerics::search::root;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// N_c of a strip under a vertical load: 2 + π, exact. Source: Prandtl (1920).

@@ -2,8 +2,8 @@
 
 use super::{Blade, CuttingForce, wall_friction};
 use crate::error::{ModelResult, undefined};
-use crate::numeric::minimum;
 use crate::soil::Soil;
+use numerics::search::minimum;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Factors of one blade: P = (γ d² N_γ + c d N_c + q d N_q) w, at δ to the blade's normal.

@@ -2,8 +2,8 @@
 
 use super::{Blade, CuttingForce, MeanSuction, Seepage, wall_friction};
 use crate::error::{ModelResult, undefined, within};
-use crate::numeric::minimum;
 use crate::soil::Soil;
+use numerics::search::minimum;
 use std::f64::consts::PI;
 
 /// Length of the cut surface behind the tip through which no water flows, over the thickness of the layer. Of a worn tip; the book varies

@@ -4,7 +4,7 @@
 //! over the thickness of the layer h_i, the tip of the blade is the origin, the blade moves along x.
 
 use crate::error::{ModelResult, undefined, within};
-use crate::numeric::solve_linear;
+use numerics::elimination::solve_linear;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Elements along the shear plane, the blade and the upper face of the layer (chosen: four times as many change p₁ₘ by up to

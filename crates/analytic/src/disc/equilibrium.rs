@@ -2,7 +2,7 @@
 
 use super::{Disc, DiscForces, Model, Setting, disc_forces, vertical_force};
 use crate::error::{ModelResult, positive, undefined};
-use crate::numeric::root;
+use numerics::search::root;
 
 /// Largest sinkage searched, as a fraction of the diameter.
 pub const MAX_RELATIVE_SINKAGE: f64 = 0.9;

@@ -8,8 +8,8 @@ use super::{
 };
 use crate::bearing::Method;
 use crate::error::{ModelResult, within};
-use crate::numeric::root;
 use crate::soil::Soil;
+use numerics::search::root;
 
 /// Closed form of the pressure on the rim.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

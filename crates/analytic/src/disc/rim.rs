@@ -1,7 +1,7 @@
 //! Pressure on the rim and its resultants.
 
 use super::Contact;
-use crate::numeric::gauss_points;
+use numerics::quadrature::gauss_points;
 use std::f64::consts::TAU;
 
 /// Normal pressure on the contact arc: σ(θ) = base + by_depth · h(θ) + along_chord · r(θ) [Pa].

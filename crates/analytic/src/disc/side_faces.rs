@@ -3,8 +3,8 @@
 use super::{Disc, Drive};
 use crate::error::{ModelResult, within};
 use crate::motion::turn_ratio;
-use crate::numeric::gauss_points;
 use crate::soil::Soil;
+use numerics::quadrature::gauss_points;
 
 /// Drag and torque of the two flat faces.
 #[derive(Clone, Copy, Debug, PartialEq)]

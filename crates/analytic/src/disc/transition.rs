@@ -2,7 +2,7 @@
 
 use super::RimLoad;
 use crate::motion::{slip, turn_ratio};
-use crate::numeric::root;
+use numerics::search::root;
 use std::f64::consts::FRAC_PI_4;
 
 /// Transition angle θ₀ [rad] of a disc without axle torque: the median of its pressure, ∫₀^θ₀ σ = ∫_θ₀^θ_f σ.

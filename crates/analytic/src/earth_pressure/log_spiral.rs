@@ -2,7 +2,7 @@
 
 use super::Face;
 use crate::error::{ModelResult, undefined};
-use crate::numeric::minimum;
+use numerics::search::minimum;
 
 /// A point or vector in the plane, x into the soil and z up, in units of the face length.
 type Vector = (f64, f64);

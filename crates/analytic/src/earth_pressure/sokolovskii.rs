@@ -2,7 +2,7 @@
 
 use super::Face;
 use crate::error::{ModelResult, undefined, within};
-use crate::numeric::root;
+use numerics::search::root;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Result of the self-similar stress field for a face.

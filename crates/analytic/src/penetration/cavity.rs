@@ -1,8 +1,8 @@
 //! The pressure at which a spherical cavity grows without limit.
 
 use crate::error::{ModelResult, finite, positive, undefined, within};
-use crate::numeric::root;
 use crate::soil::Soil;
+use numerics::search::root;
 
 /// Elastic constants of the soil.
 #[derive(Clone, Copy, Debug, PartialEq)]

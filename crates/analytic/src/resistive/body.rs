@@ -3,7 +3,7 @@
 use super::{Traction, cross, dot};
 use crate::disc::Disc;
 use crate::error::{ModelResult, undefined};
-use crate::numeric::gauss_points;
+use numerics::quadrature::gauss_points;
 
 /// A flat element of a body's surface.
 #[derive(Clone, Copy, Debug, PartialEq)]

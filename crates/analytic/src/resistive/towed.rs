@@ -3,7 +3,7 @@
 use super::{Facet, Motion, Traction, Wrench, dot, rim_facets, wrench};
 use crate::disc::{Disc, Drive, check_weight_carried, equilibrium_depth};
 use crate::error::{ModelResult, positive, undefined, within};
-use crate::numeric::root;
+use numerics::search::root;
 
 /// Slip up to which a body that nothing drives is looked for (chosen): one that is towed along its axle balances its torque at any slip, and
 /// at 1 it would stand still.

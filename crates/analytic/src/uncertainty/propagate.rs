@@ -1,8 +1,8 @@
 //! Quasi-Monte Carlo propagation: intervals and Sobol indices.
 
-use super::Distribution;
-use super::sequence::{DIMENSIONS, Sequence};
-use crate::error::{ModelResult, undefined, within};
+use crate::error::{ModelResult, positive, undefined, within};
+use numerics::sequence::DIMENSIONS;
+use numerics::{Distribution, Sequence, quantile_of_sorted};
 
 /// Distribution of a result.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,13 +40,32 @@ pub fn propagate<const N: usize>(
     let inputs = distributions.len();
     within("number of uncertain inputs", inputs as f64, 1.0, (DIMENSIONS / 2) as f64)?;
     within("evaluations", evaluations as f64, 64.0, 1e8)?;
-    distributions.iter().try_for_each(Distribution::check)?;
+    distributions.iter().try_for_each(check)?;
     let rows = (evaluations / (inputs + 2)).max(8);
     let results = sample(distributions, rows, seed, model);
     if results.len() * 10 < rows {
         return undefined("the uncertainty", "the model has no result for more than nine samples in ten");
     }
     Ok(std::array::from_fn(|n| summarise(&results, n, inputs, rows)))
+}
+
+/// Refuses a distribution with a parameter that is not finite or a width that is not positive.
+fn check(distribution: &Distribution) -> ModelResult<()> {
+    match *distribution {
+        Distribution::Uniform { low, high } => {
+            within("smallest value", low, f64::MIN, f64::MAX)?;
+            positive("width of the distribution", high - low)?;
+        }
+        Distribution::Normal { mean, deviation } => {
+            within("mean", mean, f64::MIN, f64::MAX)?;
+            positive("standard deviation", deviation)?;
+        }
+        Distribution::LogNormal { median, log_deviation } => {
+            positive("median", median)?;
+            within("standard deviation of the logarithm", log_deviation, 1e-12, 5.0)?;
+        }
+    }
+    Ok(())
 }
 
 /// Rows of results (f_A, f_B, f_AB₁, …), without those in which a sample has no result.
@@ -85,11 +104,6 @@ fn summarise<const N: usize>(results: &[Vec<[f64; N]>], n: usize, inputs: usize,
     let count = sorted.len() as f64;
     let mean = sorted.iter().sum::<f64>() / count;
     let variance = sorted.iter().map(|y| (y - mean).powi(2)).sum::<f64>() / count;
-    let quantile = |p: f64| {
-        let position = p * (count - 1.0);
-        let (below, fraction) = (position.floor() as usize, position.fract());
-        sorted[below] + fraction * (sorted[(below + 1).min(sorted.len() - 1)] - sorted[below])
-    };
     // A variance within rounding has no contributions.
     let varies = variance > 1e-20 * mean * mean;
     let index = |sum: f64| if varies { sum / (results.len() as f64 * variance) } else { 0.0 };
@@ -100,7 +114,7 @@ fn summarise<const N: usize>(results: &[Vec<[f64; N]>], n: usize, inputs: usize,
     Uncertainty {
         mean,
         deviation: variance.sqrt(),
-        quantiles: [quantile(0.05), quantile(0.5), quantile(0.95)],
+        quantiles: [0.05, 0.5, 0.95].map(|p| quantile_of_sorted(&sorted, p)),
         first_order: (0..inputs).map(first).collect(),
         total: (0..inputs).map(total).collect(),
         evaluations: rows * (inputs + 2),

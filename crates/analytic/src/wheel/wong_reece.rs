@@ -3,7 +3,8 @@
 use super::{PressureSinkage, janosi_shear};
 use crate::disc::{Disc, transition_from_slip};
 use crate::error::{ModelResult, positive, undefined};
-use crate::numeric::{gauss_points, root};
+use numerics::quadrature::gauss_points;
+use numerics::search::root;
 
 /// A towed wheel in equilibrium with its load and without axle torque.
 #[derive(Clone, Copy, Debug, PartialEq)]

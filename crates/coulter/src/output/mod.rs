@@ -27,7 +27,7 @@ pub(crate) use crate::readable as units;
 pub use crate::readable::digits;
 pub(crate) use confidence::{finished, make_variations_folder, variation_folder};
 pub use element::write_element_tests;
-pub use files::{EntryKind, Inside, OutputError};
+pub use files::{EntryKind, FileError, Inside, OutputError};
 pub use forecast::{ForecastFiles, overlays, write_forecast};
 pub(crate) use meshes::make_meshes_folder;
 pub use meshes::mesh_folder;

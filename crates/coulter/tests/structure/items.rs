@@ -3,7 +3,7 @@
 use super::modules::{Modules, Sources, attributes, is_test};
 use std::collections::{BTreeMap, BTreeSet};
 use syn::visit::{self, Visit};
-use syn::{Block, FnArg, Ident, ImplItemFn, Item, ItemFn, Signature, TraitItemFn, Visibility};
+use syn::{Block, FnArg, Ident, ImplItemFn, Item, ItemFn, Pat, Signature, TraitItemFn, Type, Visibility};
 
 /// Largest number of lines, from the signature to the closing brace.
 const MAX_LINES: usize = 60;
@@ -15,6 +15,8 @@ struct Function {
     line: usize,
     lines: usize,
     parameters: usize,
+    /// Parameters that take a tuple of unlike things apart.
+    tuples: usize,
 }
 
 /// The violations of functions in a crate; `exceptions` are (file below `src`, function).
@@ -24,7 +26,7 @@ pub(crate) fn functions(modules: &Modules, sources: &Sources, exceptions: &[(&st
     for (path, file) in sources.files.iter().filter(|(path, _)| !modules.tests.contains(*path)) {
         let mut functions = Functions(Vec::new());
         functions.visit_file(file);
-        for Function { name, line, lines, parameters } in functions.0 {
+        for Function { name, line, lines, parameters, .. } in functions.0 {
             let mut violations = Vec::new();
             if lines > MAX_LINES {
                 violations.push(format!("{lines} lines, at most {MAX_LINES}"));
@@ -54,6 +56,26 @@ pub(crate) fn functions(modules: &Modules, sources: &Sources, exceptions: &[(&st
     wrong
 }
 
+/// The places of parameters that take a tuple of unlike things apart, such as `(a, b): (A, B)`, once for each.
+pub(crate) fn tuples(modules: &Modules, sources: &Sources) -> Vec<String> {
+    let mut places = Vec::new();
+    for (path, file) in sources.files.iter().filter(|(path, _)| !modules.tests.contains(*path)) {
+        let mut functions = Functions(Vec::new());
+        functions.visit_file(file);
+        for Function { name, line, tuples, .. } in functions.0 {
+            let place = format!("crates/{}/src/{path}:{line} fn {name}", sources.name);
+            places.extend(std::iter::repeat_n(place, tuples));
+        }
+    }
+    places
+}
+
+fn is_tuple_of_unlike_things(input: &FnArg) -> bool {
+    let FnArg::Typed(parameter) = input else { return false };
+    let (Pat::Tuple(_), Type::Tuple(types)) = (&*parameter.pat, &*parameter.ty) else { return false };
+    types.elems.iter().any(|each| Some(each) != types.elems.first())
+}
+
 struct Functions(Vec<Function>);
 
 impl Functions {
@@ -61,7 +83,8 @@ impl Functions {
         let first = first_line(visibility, signature);
         let lines = body.map_or(0, |body| body.brace_token.span.close().end().line + 1 - first);
         let parameters = signature.inputs.iter().filter(|i| matches!(i, FnArg::Typed(_))).count();
-        self.0.push(Function { name: signature.ident.to_string(), line: first, lines, parameters });
+        let tuples = signature.inputs.iter().filter(|input| is_tuple_of_unlike_things(input)).count();
+        self.0.push(Function { name: signature.ident.to_string(), line: first, lines, parameters, tuples });
     }
 }
 

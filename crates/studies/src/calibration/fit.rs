@@ -2,8 +2,8 @@
 
 use super::likelihood::{Likelihood, Response};
 use super::prior::Prior;
-use crate::linear_algebra::{Cholesky, Square, dot};
 use crate::statistics::design::latin_hypercube;
+use numerics::symmetric::{Cholesky, Square, dot};
 
 /// The most likely coordinates of the unknowns, and the covariance of the density around them.
 #[derive(Clone, Debug, PartialEq)]

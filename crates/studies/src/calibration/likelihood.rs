@@ -6,7 +6,7 @@
 
 use super::data::MeasuredCurve;
 use super::space::Space;
-use crate::linear_algebra::{Cholesky, Square, dot};
+use numerics::symmetric::{Cholesky, Square, dot};
 
 /// What a model says of all points, as residuals see it.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,6 +2,7 @@
 
 use super::likelihood::Likelihood;
 use super::sampler::{Chains, covariance};
+use numerics::quantile_of_sorted;
 
 /// One unknown afterwards, in its unit.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +69,7 @@ impl Posterior {
         let marginal = |(n, unknown): (usize, &super::space::Unknown)| {
             let mut coordinates: Vec<f64> = all.iter().map(|sample| sample[n]).collect();
             coordinates.sort_by(f64::total_cmp);
-            let at = |q: f64| quantile(&coordinates, q);
+            let at = |q: f64| quantile_of_sorted(&coordinates, q);
             Marginal {
                 name: unknown.name.clone(),
                 unit: unknown.unit.clone(),
@@ -85,7 +86,7 @@ impl Posterior {
             let last = space.dimension();
             let mut list: Vec<f64> = all.iter().map(|sample| sample[last]).collect();
             list.sort_by(f64::total_cmp);
-            [0.5, 0.05, 0.95].map(|q| likelihood.noise.at(Some(quantile(&list, q))))
+            [0.5, 0.05, 0.95].map(|q| likelihood.noise.at(Some(quantile_of_sorted(&list, q))))
         });
         let every = all.len().div_ceil(KEPT).max(1);
         Self {
@@ -168,15 +169,6 @@ fn separating(names: &[&str]) -> String {
     let mut found: Vec<&str> = names.iter().filter_map(advice).collect();
     found.dedup();
     if found.is_empty() { "add a curve of another kind of body".to_owned() } else { found.join("; or ") }
-}
-
-/// A quantile of sorted values, between its neighbours.
-pub(super) fn quantile(sorted: &[f64], q: f64) -> f64 {
-    let Some(last) = sorted.len().checked_sub(1) else { return f64::NAN };
-    let place = q * last as f64;
-    let below = place.floor() as usize;
-    let above = (below + 1).min(last);
-    sorted[below] + (sorted[above] - sorted[below]) * (place - below as f64)
 }
 
 fn correlations(samples: &[&Vec<f64>], dimension: usize) -> Vec<Vec<f64>> {

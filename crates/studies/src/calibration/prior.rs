@@ -1,5 +1,7 @@
 //! What is known of a parameter before the calibration: even over a range, normal, or log-normal.
 
+use numerics::distribution::NORMAL_95;
+
 /// The distribution of a parameter before the calibration, in the unit in which it was typed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Prior {
@@ -30,8 +32,6 @@ pub enum Prior {
 const EVEN: f64 = 3.464_101_615_137_754_5;
 /// Half of the width over which designs spread a normal prior, in standard deviations (chosen: 95 % of it).
 const SPREAD: f64 = 2.0;
-/// Half of the 90 % interval of the normal distribution, in standard deviations.
-pub(super) const NORMAL_90: f64 = 1.644_853_627;
 
 /// Parameters are sampled in coordinates in which each prior has the mean 0 and the standard deviation 1.
 impl Prior {
@@ -75,7 +75,7 @@ impl Prior {
     /// The width of its own 90 % interval, in coordinates.
     #[must_use]
     pub fn width(&self) -> f64 {
-        if let Self::Even { .. } = self { 0.9 * EVEN } else { 2.0 * NORMAL_90 }
+        if let Self::Even { .. } = self { 0.9 * EVEN } else { 2.0 * NORMAL_95 }
     }
 
     /// Whether it is a normal one in the coordinates, which contributes to a sum of squares.

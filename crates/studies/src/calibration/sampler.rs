@@ -4,12 +4,14 @@
 //! Sources: Haario, Saksman & Tamminen (2001), An adaptive Metropolis algorithm, Bernoulli 7(2); Gelman et al. (2013), *Bayesian Data
 //! Analysis*, section 11.4 (R̂ of split chains, effective number of draws) and 12.2 (the factor 2.38²/d).
 
-use super::draws::Draws;
 use super::fit::Best;
-use crate::linear_algebra::{Cholesky, Square};
+use numerics::Draws;
+use numerics::symmetric::{Cholesky, Square};
 
 /// Chains.
 const CHAINS: usize = 4;
+/// Keeps the random numbers of chains apart from those of designs.
+const PURPOSE: u64 = 0x2545_f491_4f6c_dd1d;
 /// Steps between two adaptations.
 const EVERY: usize = 50;
 /// What is added to the diagonal of a covariance, so that no direction is lost.
@@ -28,7 +30,7 @@ pub struct Chains {
 pub(super) fn sample(best: &Best, steps: usize, seed: u64, density: &dyn Fn(&[f64]) -> f64) -> Chains {
     let mut all = Chains::default();
     for chain in 0..CHAINS {
-        let mut draws = Draws::new(seed.wrapping_mul(31).wrapping_add(chain as u64));
+        let mut draws = Draws::new(seed.wrapping_mul(31).wrapping_add(chain as u64), PURPOSE);
         let (samples, accepted) = one_chain(best, steps, &mut draws, density);
         all.acceptance += accepted / CHAINS as f64;
         all.chains.push(samples);

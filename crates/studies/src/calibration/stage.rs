@@ -3,8 +3,9 @@
 use super::data::MeasuredCurve;
 use super::fit::best;
 use super::likelihood::{Likelihood, Response};
-use super::posterior::{Advice, Posterior, quantile};
+use super::posterior::{Advice, Posterior};
 use super::sampler::sample;
+use numerics::quantile_of_sorted;
 
 /// Samples whose curves make the band.
 const BAND: usize = 200;
@@ -114,7 +115,7 @@ fn bands(likelihood: &Likelihood, response: &dyn Response, best: &[f64], samples
         let at = |n: usize, q: f64| {
             let mut values: Vec<f64> = curves.iter().map(|seen| seen[first + n]).collect();
             values.sort_by(f64::total_cmp);
-            curve.unseen(n, quantile(&values, q))
+            curve.unseen(n, quantile_of_sorted(&values, q))
         };
         list.push(Band {
             best: (0..points).map(|n| curve.unseen(n, best[first + n])).collect(),

@@ -4,9 +4,9 @@
 
 use super::likelihood::{Response, Seen};
 use super::space::Space;
-use crate::linear_algebra::{dot, eigen};
 use crate::statistics::StatisticsError;
 use crate::statistics::gaussian_process::{GaussianProcess, Predicted, fit};
+use numerics::symmetric::{dot, eigen};
 
 /// Fraction of the variance of the curves that the components hold (chosen).
 const KEPT: f64 = 0.9995;

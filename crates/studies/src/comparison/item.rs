@@ -1,13 +1,13 @@
 //! What can be compared: results folders of runs, forecasts, case files (by their closed form), and measured curves.
 
 use super::steady::SteadyMean;
-use crate::files::{self, FileError};
+use crate::files;
 use crate::measured::{ColumnChoice, Quantity, Record, read};
 use crate::sources::{Along, ClosedForm, ClosedForms, LeftOut, read_run, rising, says_nothing};
 use coulter::case::{self, CaseError};
 use coulter::formats;
 use coulter::history::reference::Reference;
-use coulter::output::{Inside, Summary};
+use coulter::output::{FileError, Inside, Summary};
 use serde_json::Value;
 use std::path::Path;
 

@@ -1,6 +1,7 @@
 //! Steady means with 90 % intervals that know that neighbouring values are correlated.
 
 use coulter::history::blocks::{STUDENT_90, block_averages, standard_error};
+use numerics::distribution::student_95;
 
 /// A mean over a window.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,8 +34,6 @@ impl SteadyMean {
 const ROUND_OFF: f64 = 1e-9;
 /// Fewest values of an interval.
 const FEWEST: usize = 4;
-/// 95 % quantile of the normal distribution.
-const NORMAL: f64 = 1.644_853_627;
 
 /// The mean of values that follow each other evenly. With 24 or more its interval is that of averages over eight blocks, as of a run;
 /// with fewer that of a first-order autoregression: n (1 − ρ)/(1 + ρ) of the n values count. Source: Bayley & Hammersley (1946), The
@@ -57,27 +56,12 @@ pub fn steady_mean(values: &[f64]) -> Option<SteadyMean> {
     let correlation = if squares > 0.0 { (products / squares).clamp(0.0, 0.9) } else { 0.0 };
     let effective = (count * (1.0 - correlation) / (1.0 + correlation)).max(2.0);
     let error = (squares / (count - 1.0) / effective).sqrt();
-    Some(SteadyMean { mean, half: Some(student_90(effective - 1.0) * error) })
-}
-
-/// 95 % quantile of Student's distribution, by the first terms of its expansion. Source: Abramowitz & Stegun (1972), 26.7.5.
-fn student_90(freedom: f64) -> f64 {
-    let (z, z3) = (NORMAL, NORMAL.powi(3));
-    let first = (z3 + z) / (4.0 * freedom);
-    let second = (5.0 * z.powi(5) + 16.0 * z3 + 3.0 * z) / (96.0 * freedom * freedom);
-    z + first + second
+    Some(SteadyMean { mean, half: Some(student_95(effective - 1.0) * error) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn student_is_that_of_the_tables() {
-        for (freedom, known) in [(3.0, 2.353), (7.0, 1.895), (30.0, 1.697)] {
-            assert!((student_90(freedom) / known - 1.0).abs() < 0.02, "{freedom}: {}", student_90(freedom));
-        }
-    }
 
     #[test]
     fn correlated_values_determine_a_mean_less_well() {

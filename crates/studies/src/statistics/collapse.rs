@@ -1,7 +1,7 @@
 //! How well points fall onto one curve: their scatter about a running median.
 
 use super::StatisticsError;
-use super::quantile::quantile;
+use numerics::quantile;
 
 /// Fewest points (chosen), and neighbours on each side of a point at least.
 const LEAST_POINTS: usize = 10;

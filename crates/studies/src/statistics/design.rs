@@ -1,12 +1,10 @@
 //! Designs that fill the unit cube: Latin hypercubes and Sobol sequences. They are the same on every machine.
 
 use super::StatisticsError;
-use analytic::uncertainty::Sequence;
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::Rng;
+use numerics::{Draws, Sequence};
 
 /// Largest number of factors of [`sobol`]: the dimensions of the sequence.
-pub const SOBOL_FACTORS: usize = 20;
+pub const SOBOL_FACTORS: usize = numerics::sequence::DIMENSIONS;
 /// Latin hypercubes among which the best is chosen, at most (chosen).
 const CANDIDATES: usize = 200;
 /// Products of differences that the choice may cost: about a second (chosen).
@@ -70,35 +68,22 @@ fn refuse_empty(points: usize, factors: usize) -> Result<(), StatisticsError> {
     Ok(())
 }
 
-/// A generator of random numbers, the same on every machine: PCG XSL 128/64 (O'Neill 2014).
-pub(super) fn generator(seed: u64) -> Pcg64Mcg {
-    // The seed is spread over both halves of the state: those of neighbouring seeds would start alike.
-    let spread = u128::from(seed) ^ (u128::from(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)) << 64);
-    Pcg64Mcg::new(spread ^ 0xcafe_f00d_d15e_a5e5)
-}
-
-/// A number in [0, 1), of 53 random bits.
-pub(super) fn uniform(random: &mut Pcg64Mcg) -> f64 {
-    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
-}
-
-/// A whole number below `end`.
-pub(super) fn below(random: &mut Pcg64Mcg, end: usize) -> usize {
-    // The high half of the product is uniform but for a part in 2⁶⁴ / end.
-    ((u128::from(random.next_u64()) * end as u128) >> 64) as usize
+/// The random numbers of a design's seed.
+pub(super) fn generator(seed: u64) -> Draws {
+    Draws::new(seed, 0xcafe_f00d_d15e_a5e5)
 }
 
 /// A Latin hypercube, not optimised.
-fn one_hypercube(points: usize, factors: usize, random: &mut Pcg64Mcg) -> Vec<Vec<f64>> {
+fn one_hypercube(points: usize, factors: usize, random: &mut Draws) -> Vec<Vec<f64>> {
     let mut design = vec![vec![0.0; factors]; points];
     let mut order: Vec<usize> = (0..points).collect();
     for factor in 0..factors {
         for last in (1..points).rev() {
-            order.swap(last, below(random, last + 1));
+            order.swap(last, random.below(last + 1));
         }
         for (point, interval) in design.iter_mut().zip(&order) {
             // The last interval ends below 1 although the sum may round up to it.
-            let place = (*interval as f64 + uniform(random)) / points as f64;
+            let place = (*interval as f64 + random.uniform()) / points as f64;
             point[factor] = place.min(1.0 - f64::EPSILON);
         }
     }

@@ -6,7 +6,6 @@ pub mod design;
 pub mod effects;
 mod error;
 pub mod gaussian_process;
-mod quantile;
 pub mod regression;
 pub mod sobol_indices;
 pub mod tornado;

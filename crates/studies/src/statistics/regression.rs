@@ -2,7 +2,7 @@
 
 use super::StatisticsError;
 use super::data::check;
-use crate::linear_algebra::{Cholesky, Square, dot};
+use numerics::symmetric::{Cholesky, Square, dot};
 
 /// What the correlation matrix keeps on its diagonal, so that factors within rounding of each other are refused (chosen).
 const INDEPENDENT: f64 = 1e-9;

@@ -4,9 +4,9 @@
 //! T_i = E[V(y | all but x_i)] / V(y). Sums run over rows of two samples A and B and of the A_Bⁱ, which are A with factor i from B.
 
 use super::StatisticsError;
-use super::design::{SOBOL_FACTORS, below, generator, sobol, uniform};
+use super::design::{SOBOL_FACTORS, generator, sobol};
 use super::gaussian_process::GaussianProcess;
-use super::quantile::quantile;
+use numerics::quantile;
 
 /// Rows of a sample by default (chosen): a power of two, indices of smooth functions to about 0.01.
 pub const ROWS: usize = 4096;
@@ -65,7 +65,7 @@ pub fn sobol_indices(
     let mut random = generator(seed ^ 0x5eed);
     let mut again: Vec<Vec<f64>> = vec![Vec::with_capacity(RESAMPLED); 2 * factors];
     for _ in 0..RESAMPLED {
-        let drawn: Vec<usize> = (0..rows).map(|_| below(&mut random, rows)).collect();
+        let drawn: Vec<usize> = (0..rows).map(|_| random.below(rows)).collect();
         for (list, value) in again.iter_mut().zip(sample.estimates(&drawn)) {
             list.push(value);
         }
@@ -178,7 +178,7 @@ fn pairs(factors: usize, rows: usize, seed: u64) -> Result<Vec<Vec<f64>>, Statis
         return sobol(rows, 2 * factors, seed);
     }
     let mut random = generator(seed);
-    Ok((0..rows).map(|_| (0..2 * factors).map(|_| uniform(&mut random)).collect()).collect())
+    Ok((0..rows).map(|_| (0..2 * factors).map(|_| random.uniform()).collect()).collect())
 }
 
 #[cfg(test)]

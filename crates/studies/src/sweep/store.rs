@@ -3,10 +3,10 @@
 use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::Outcome;
-use crate::files::{self, FileError};
+use crate::files;
 use crate::study::Study;
 use coulter::formats;
-use coulter::output::Inside;
+use coulter::output::{FileError, Inside};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::HashSet;

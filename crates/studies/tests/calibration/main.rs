@@ -6,15 +6,17 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::interrupts::Interrupts;
+use numerics::Draws;
 use std::path::{Path, PathBuf};
 use studies::calibration::{
-    Calibration, ClosedResponse, Draws, Effort, ModelChoice, Noise, Plan, Request, Selection, Space,
-    calibrate,
+    Calibration, ClosedResponse, Effort, ModelChoice, Noise, Plan, Request, Selection, Space, calibrate,
 };
 use studies::measured::{Quantity, Record};
 
 /// Noise of the synthetic curves: of each point, as a part of its value.
 const NOISE: f64 = 0.05;
+/// Keeps the random numbers of the trials apart from those of other streams with the same seed.
+const PURPOSE: u64 = 0x2545_f491_4f6c_dd1d;
 
 fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/calibration").join(name)
@@ -103,7 +105,7 @@ fn trials(kind: &Kind, count: u64) -> Vec<(String, usize, Vec<f64>)> {
     let mut figures: Vec<(String, usize, Vec<f64>)> =
         space.unknowns.iter().map(|u| (u.name.clone(), 0, Vec::new())).collect();
     for trial in 0..count {
-        let mut draws = Draws::new(1000 + trial);
+        let mut draws = Draws::new(1000 + trial, PURPOSE);
         let coordinate = |u: &studies::calibration::Unknown, draws: &mut Draws| {
             let [low, high] = u.prior.spread();
             low + (high - low) * draws.uniform()
@@ -167,7 +169,7 @@ fn friction_angle_and_unit_weight_cannot_be_told_apart_and_that_is_said() {
     let mut kind = plate(&["soil.friction_angle=28..42 deg", "soil.unit_weight=13..19 kN/m^3"]);
     kind.case = file("loose_plate.toml");
     let known = [35.0, 16.0];
-    let records = synthetic(&kind, &known, &mut Draws::new(5));
+    let records = synthetic(&kind, &known, &mut Draws::new(5, PURPOSE));
     let request = request(&kind, records, 5);
     let found = calibrated(&request).closed.unwrap();
     let warning = found.advice.iter().find(|advice| advice.message.contains("cannot be told apart"));
@@ -179,7 +181,7 @@ fn friction_angle_and_unit_weight_cannot_be_told_apart_and_that_is_said() {
 #[test]
 fn the_noise_is_found_where_it_is_not_given() {
     let kind = plate(BOTH);
-    let records = synthetic(&kind, &[35.0, 3.0], &mut Draws::new(8));
+    let records = synthetic(&kind, &[35.0, 3.0], &mut Draws::new(8, PURPOSE));
     let effort = Effort { samples: 5000, seed: 8 };
     let request = Request { noise: Noise::Estimated, effort, ..request(&kind, records, 8) };
     let found = calibrated(&request).closed.unwrap();
@@ -191,7 +193,7 @@ fn the_noise_is_found_where_it_is_not_given() {
 #[test]
 fn a_model_that_does_not_follow_is_said_not_to() {
     let kind = plate(&["soil.friction_angle=28..42 deg"]);
-    let mut records = synthetic(&kind, &[35.0], &mut Draws::new(2));
+    let mut records = synthetic(&kind, &[35.0], &mut Draws::new(2, PURPOSE));
     for (n, value) in records[0].channels[1].values.iter_mut().enumerate() {
         *value *= 0.5 + 0.2 * n as f64;
     }

@@ -3,19 +3,24 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+/// Why a file or folder could not be read or written.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot {action} {}: {source}", .path.display())]
+pub struct FileError {
+    /// What was tried, such as "write".
+    pub action: &'static str,
+    /// On which file or folder.
+    pub path: PathBuf,
+    /// What the operating system said.
+    pub source: io::Error,
+}
+
 /// Why results could not be written or read. Every variant names the file or folder.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
     /// The operating system refused.
-    #[error("cannot {action} {path}: {source}", path = path.display())]
-    File {
-        /// What was tried.
-        action: &'static str,
-        /// On which file or folder.
-        path: PathBuf,
-        /// What the operating system said.
-        source: io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// There is a result already, which must not be overwritten without being asked.
     #[error(
         "{path} already holds a result; --force replaces it, -o DIR writes to another folder",
@@ -93,6 +98,6 @@ pub(crate) trait Named<T> {
 
 impl<T> Named<T> for io::Result<T> {
     fn named(self, action: &'static str, path: &Path) -> Result<T, OutputError> {
-        self.map_err(|source| OutputError::File { action, path: path.to_path_buf(), source })
+        self.map_err(|source| FileError { action, path: path.to_path_buf(), source }.into())
     }
 }

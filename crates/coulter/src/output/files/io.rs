@@ -22,16 +22,7 @@ pub(crate) fn write_with(
     to: &Inside,
     write: impl FnOnce(&mut File) -> io::Result<()>,
 ) -> Result<(), OutputError> {
-    let draft = to.with_ending(".part");
-    let mut file = draft.create().named("create", &draft.path())?;
-    let written = write(&mut file).named("write", &to.path());
-    drop(file);
-    let done = written.and_then(|()| draft.rename(to).named("replace", &to.path()));
-    if done.is_err() {
-        // On a full disk half a file would only take up space.
-        let _ = draft.remove();
-    }
-    done
+    Ok(to.write_whole(".part", write)?)
 }
 
 /// Writes a copy of a file that the user has named.

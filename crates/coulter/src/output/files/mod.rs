@@ -8,7 +8,7 @@ mod io;
 mod names;
 
 pub(crate) use error::Named;
-pub use error::OutputError;
+pub use error::{FileError, OutputError};
 pub use inside::{EntryKind, Inside};
 pub(crate) use io::{make_folder, read_json, read_text, write_copy, write_json, write_whole, write_with};
 

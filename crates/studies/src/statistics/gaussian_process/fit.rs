@@ -2,7 +2,7 @@
 
 use super::super::StatisticsError;
 use super::super::data::check;
-use super::super::design::{below, generator};
+use super::super::design::generator;
 use super::hyperparameters::hyperparameters;
 use super::process::GaussianProcess;
 use super::projection::Data;
@@ -48,7 +48,7 @@ fn drawn(count: usize, most: usize) -> Vec<usize> {
     if count > most {
         let mut random = generator(count as u64);
         for n in 0..most {
-            order.swap(n, n + below(&mut random, count - n));
+            order.swap(n, n + random.below(count - n));
         }
         order.truncate(most);
         order.sort_unstable();
@@ -64,7 +64,7 @@ fn scaled(scaling: &Scaling, inputs: &[Vec<f64>], values: &[f64], which: &[usize
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::design::{latin_hypercube, uniform};
+    use super::super::super::design::latin_hypercube;
     use super::*;
 
     /// A smooth response of two factors that matter and one that does not.
@@ -115,8 +115,7 @@ mod tests {
     fn noise_is_found_and_not_followed() {
         let design = latin_hypercube(150, 2, 3).unwrap();
         let mut random = generator(1);
-        let noisy: Vec<f64> =
-            design.iter().map(|x| smooth(x) + 60.0 * (uniform(&mut random) - 0.5)).collect();
+        let noisy: Vec<f64> = design.iter().map(|x| smooth(x) + 60.0 * (random.uniform() - 0.5)).collect();
         let process = fit(&design, &noisy).unwrap();
         // The deviation of an even distribution is its width over √12: 17.3.
         assert!((process.noise() - 17.3).abs() < 5.0, "{}", process.noise());
@@ -137,7 +136,7 @@ mod tests {
     fn chance_is_not_predicted() {
         let design = latin_hypercube(40, 4, 3).unwrap();
         let mut random = generator(2);
-        let values: Vec<f64> = design.iter().map(|_| uniform(&mut random)).collect();
+        let values: Vec<f64> = design.iter().map(|_| random.uniform()).collect();
         let process = fit(&design, &values).unwrap();
         assert!(matches!(process.trusted(), Err(StatisticsError::NotPredictive { .. })));
     }

@@ -1,8 +1,8 @@
 //! Lengths and nugget from the data: the largest restricted likelihood under weak priors.
 
 use super::correlation::Correlation;
-use super::minimum::minimise;
 use super::projection::{Data, Projection};
+use numerics::quasi_newton::minimise;
 
 /// The smallest nugget (chosen): it keeps the matrix positive definite and is far below any scatter of results.
 const LEAST_NUGGET: f64 = 1e-10;

@@ -7,7 +7,6 @@
 mod correlation;
 mod fit;
 mod hyperparameters;
-mod minimum;
 mod process;
 mod projection;
 mod scaling;

@@ -4,7 +4,7 @@ use super::super::StatisticsError;
 use super::correlation::Correlation;
 use super::projection::{Data, Projection};
 use super::scaling::Scaling;
-use crate::linear_algebra::dot;
+use numerics::symmetric::dot;
 
 /// The predictivity Q² from which on a surrogate may stand for the response (chosen; usual in practice: 0.7 to 0.8).
 pub const LEAST_PREDICTIVITY: f64 = 0.7;

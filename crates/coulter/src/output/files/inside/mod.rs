@@ -15,6 +15,7 @@ mod system;
 
 pub use kind::EntryKind;
 
+use super::error::FileError;
 use kind::{forbidden, refused};
 use std::ffi::OsString;
 use std::fs::File;
@@ -155,6 +156,29 @@ impl Inside {
             expect_file(kind)?;
         }
         changeable(folder.create(&name)?)
+    }
+
+    /// Writes a whole file, or leaves what was there: under its name with an ending first, which is then renamed, so that neither a
+    /// kill nor a full disk leaves half of one. Two processes that may write the same file need different endings.
+    ///
+    /// # Errors
+    /// Where either entry cannot be created, written or renamed.
+    pub fn write_whole(
+        &self,
+        ending: &str,
+        write: impl FnOnce(&mut File) -> io::Result<()>,
+    ) -> Result<(), FileError> {
+        let named = |action, path| move |source| FileError { action, path, source };
+        let draft = self.with_ending(ending);
+        let mut file = draft.create().map_err(named("create", draft.path()))?;
+        let written = write(&mut file).map_err(named("write", self.path()));
+        drop(file);
+        let done = written.and_then(|()| draft.rename(self).map_err(named("replace", self.path())));
+        if done.is_err() {
+            // On a full disk half a file would only take up space.
+            let _ = draft.remove();
+        }
+        done
     }
 
     /// Moves it to another entry, in place of a file that is there.

@@ -1,7 +1,7 @@
 //! Sobol sequence.
 
 /// Largest number of dimensions of a [`Sequence`].
-pub(super) const DIMENSIONS: usize = 20;
+pub const DIMENSIONS: usize = 20;
 
 /// Degree and coefficients of the primitive polynomial, and the initial direction numbers, from the second dimension on.
 ///

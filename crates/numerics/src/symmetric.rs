@@ -1,4 +1,4 @@
-//! Symmetric matrices: Cholesky factor, solution, inverse, eigenvectors.
+//! Dense symmetric matrices: Cholesky factor, solution, inverse, eigenvectors.
 //!
 //! Sums run in one fixed order, so that the bits do not depend on the vector units of the machine, as those of the libraries do.
 
@@ -7,16 +7,16 @@ const LANES: usize = 8;
 
 /// A square matrix, row by row.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Square {
+pub struct Square {
     /// Rows, and columns.
-    pub(crate) size: usize,
+    pub size: usize,
     /// Entries, `size × size`.
-    pub(crate) entries: Vec<f64>,
+    pub entries: Vec<f64>,
 }
 
 impl Square {
     /// The symmetric matrix with these entries on and below the diagonal; those above are left at zero.
-    pub(crate) fn lower(size: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
+    pub fn lower(size: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let mut entries = vec![0.0; size * size];
         for i in 0..size {
             for j in 0..=i {
@@ -27,13 +27,13 @@ impl Square {
     }
 
     /// A row, as far as the diagonal.
-    pub(crate) fn row(&self, i: usize) -> &[f64] {
+    pub fn row(&self, i: usize) -> &[f64] {
         &self.entries[i * self.size..i * self.size + i + 1]
     }
 }
 
 /// The product of two vectors of equal length.
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; LANES];
     let (whole_a, rest_a) = a.as_chunks::<LANES>();
     let (whole_b, rest_b) = b.as_chunks::<LANES>();
@@ -48,11 +48,11 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// The Cholesky factor L of a positive definite matrix A = L Lᵀ.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Cholesky(Square);
+pub struct Cholesky(Square);
 
 impl Cholesky {
     /// Factorises the lower triangle of a matrix; `None` where it is not positive definite.
-    pub(crate) fn of(mut matrix: Square) -> Option<Self> {
+    pub fn of(mut matrix: Square) -> Option<Self> {
         let size = matrix.size;
         for i in 0..size {
             let (above, rest) = matrix.entries.split_at_mut(i * size);
@@ -72,22 +72,22 @@ impl Cholesky {
     }
 
     /// The factor with these entries on its diagonal, and zeros beside it.
-    pub(crate) fn diagonal(entries: &[f64]) -> Self {
+    pub fn diagonal(entries: &[f64]) -> Self {
         Self(Square::lower(entries.len(), |i, j| if i == j { entries[i] } else { 0.0 }))
     }
 
     /// The logarithm of the determinant of A.
-    pub(crate) fn log_determinant(&self) -> f64 {
+    pub fn log_determinant(&self) -> f64 {
         (0..self.0.size).map(|i| 2.0 * self.0.row(i)[i].ln()).sum()
     }
 
     /// The smallest entry of the diagonal of L, squared: what is left of a column when those before it are taken out.
-    pub(crate) fn smallest(&self) -> f64 {
+    pub fn smallest(&self) -> f64 {
         (0..self.0.size).map(|i| self.0.row(i)[i]).fold(f64::INFINITY, f64::min).powi(2)
     }
 
     /// L⁻¹ b.
-    pub(crate) fn forward(&self, b: &[f64]) -> Vec<f64> {
+    pub fn forward(&self, b: &[f64]) -> Vec<f64> {
         let mut x = b.to_vec();
         for i in 0..x.len() {
             let row = self.0.row(i);
@@ -97,7 +97,7 @@ impl Cholesky {
     }
 
     /// L⁻ᵀ b.
-    pub(crate) fn backward(&self, b: &[f64]) -> Vec<f64> {
+    pub fn backward(&self, b: &[f64]) -> Vec<f64> {
         let mut x = b.to_vec();
         for i in (0..x.len()).rev() {
             let row = self.0.row(i);
@@ -111,17 +111,17 @@ impl Cholesky {
     }
 
     /// A⁻¹ b.
-    pub(crate) fn solve(&self, b: &[f64]) -> Vec<f64> {
+    pub fn solve(&self, b: &[f64]) -> Vec<f64> {
         self.backward(&self.forward(b))
     }
 
     /// L z.
-    pub(crate) fn times(&self, z: &[f64]) -> Vec<f64> {
+    pub fn times(&self, z: &[f64]) -> Vec<f64> {
         (0..self.0.size).map(|i| dot(self.0.row(i), &z[..=i])).collect()
     }
 
     /// The lower triangle of A⁻¹.
-    pub(crate) fn inverse(&self) -> Square {
+    pub fn inverse(&self) -> Square {
         let size = self.0.size;
         // Row j of U = (L⁻¹)ᵀ, from the diagonal on; then A⁻¹ = U Uᵀ, products of rows.
         let mut upper = vec![0.0; size * size];
@@ -142,9 +142,9 @@ impl Cholesky {
 /// Rotations of Jacobi's method after which it has converged.
 const SWEEPS: usize = 60;
 
-/// Eigenvalues, the largest first, and eigenvectors of a symmetric matrix. Source: Jacobi's method as in Golub & Van Loan (2013),
-/// *Matrix Computations*, section 8.5.
-pub(crate) fn eigen(matrix: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
+/// Eigenvalues, the largest first, and unit eigenvectors, one in each row, of a symmetric matrix of n rows and n columns. Source: Jacobi's
+/// method as in Golub & Van Loan (2013), *Matrix Computations*, section 8.5.
+pub fn eigen(matrix: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     let size = matrix.len();
     let mut a = matrix.to_vec();
     let mut vectors: Vec<Vec<f64>> =

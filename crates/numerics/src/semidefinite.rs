@@ -5,7 +5,7 @@ const REDUNDANT: f64 = 1e-12;
 
 /// Factors a symmetric, positive semi-definite matrix of `n` rows in place: A = L D Lᵀ, with L below the diagonal and the inverse of
 /// D on it. Rows that repeat earlier ones get an inverse of 0: their unknown is 0 and their equation is left to the others.
-pub(crate) fn factor(a: &mut [f64], n: usize) {
+pub fn factor(a: &mut [f64], n: usize) {
     for i in 0..n {
         let diagonal = a[i * n + i];
         for j in 0..i {
@@ -23,7 +23,7 @@ pub(crate) fn factor(a: &mut [f64], n: usize) {
 }
 
 /// Solves the factored system for the right-hand side `b`, in place.
-pub(crate) fn solve(factors: &[f64], b: &mut [f64]) {
+pub fn solve(factors: &[f64], b: &mut [f64]) {
     let n = b.len();
     for i in 0..n {
         let known: f64 = (0..i).map(|j| factors[i * n + j] * b[j]).sum();

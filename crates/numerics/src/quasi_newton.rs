@@ -1,6 +1,6 @@
 //! The minimum of a smooth function of a few variables: the BFGS method with a backtracking line search.
 
-use crate::linear_algebra::dot;
+use crate::symmetric::dot;
 
 /// Steps of a search at most (chosen).
 const STEPS: usize = 80;
@@ -13,20 +13,17 @@ const SUFFICIENT: f64 = 1e-4;
 
 /// A minimum.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Minimum {
+pub struct Minimum {
     /// Where it is.
-    pub(super) place: Vec<f64>,
+    pub place: Vec<f64>,
     /// The value there.
-    pub(super) value: f64,
+    pub value: f64,
 }
 
 /// Searches downhill from `start`. `function` gives value and gradient, `None` where it has none; then the step is shortened.
 ///
 /// `None` where the start has no value. Source: Nocedal & Wright (2006), *Numerical Optimization*, algorithm 6.1.
-pub(super) fn minimise(
-    start: Vec<f64>,
-    function: impl Fn(&[f64]) -> Option<(f64, Vec<f64>)>,
-) -> Option<Minimum> {
+pub fn minimise(start: Vec<f64>, function: impl Fn(&[f64]) -> Option<(f64, Vec<f64>)>) -> Option<Minimum> {
     let (mut value, mut gradient) = function(&start)?;
     let mut place = start;
     let mut inverse = identity(place.len());
