@@ -28,7 +28,7 @@ pub(crate) fn first_tilt_axis(attitude: &DMat3) -> DVec3 {
 }
 
 /// Mean axes between two attitudes with their tilt axes.
-pub(crate) fn mean_axes((start, tilt): (&DMat3, DVec3), (end, end_tilt): (&DMat3, DVec3)) -> Axes {
+pub(crate) fn mean_axes(start: &DMat3, tilt: DVec3, end: &DMat3, end_tilt: DVec3) -> Axes {
     [DVec3::Z, 0.5 * (tilt + end_tilt), 0.5 * (start.y_axis + end.y_axis)]
 }
 

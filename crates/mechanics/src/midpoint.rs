@@ -168,7 +168,7 @@ impl Mechanism {
 /// Mean axes of the rotational freedoms over the step.
 fn axes(moving: &MovingBody, now: &BodyState) -> Axes {
     let configuration = &moving.configuration;
-    gimbal::mean_axes((&configuration.start, now.tilt_axis), (&configuration.end, moving.tilt_axis))
+    gimbal::mean_axes(&configuration.start, now.tilt_axis, &configuration.end, moving.tilt_axis)
 }
 
 /// Impulse of the loads: each along the axis of its freedom.

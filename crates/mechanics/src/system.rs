@@ -39,7 +39,7 @@ impl System {
                 let mut line = 0;
                 for other in &joints[..=number] {
                     for across in other.rows.as_slice() {
-                        let value = coupling(bodies, (joint, row), (other, across));
+                        let value = coupling(bodies, joint, row, other, across);
                         self.matrix[column * n + line] = value;
                         self.matrix[line * n + column] = value;
                         line += 1;
@@ -90,11 +90,7 @@ impl System {
 }
 
 /// Velocity of one row per impulse of another.
-fn coupling(
-    bodies: &[MovingBody],
-    (joint, row): (&MovingJoint, &Row),
-    (other, across): (&MovingJoint, &Row),
-) -> f64 {
+fn coupling(bodies: &[MovingBody], joint: &MovingJoint, row: &Row, other: &MovingJoint, across: &Row) -> f64 {
     let share = |body: &usize| other.bodies.contains(&Some(*body));
     joint.bodies.iter().zip(&row.wrench).filter(|(body, _)| body.as_ref().is_some_and(share)).fold(
         0.0,

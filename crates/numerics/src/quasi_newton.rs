@@ -37,7 +37,7 @@ pub fn minimise(start: Vec<f64>, function: impl Fn(&[f64]) -> Option<(f64, Vec<f
         if largest > LARGEST_STEP {
             direction.iter_mut().for_each(|x| *x *= LARGEST_STEP / largest);
         }
-        let Some((length, next)) = line_search(&place, &direction, (value, &gradient), &function) else {
+        let Some((length, next)) = line_search(&place, &direction, value, &gradient, &function) else {
             break;
         };
         let step: Vec<f64> = direction.iter().map(|x| length * x).collect();
@@ -57,7 +57,8 @@ pub fn minimise(start: Vec<f64>, function: impl Fn(&[f64]) -> Option<(f64, Vec<f
 fn line_search(
     place: &[f64],
     direction: &[f64],
-    (value, gradient): (f64, &[f64]),
+    value: f64,
+    gradient: &[f64],
     function: &impl Fn(&[f64]) -> Option<(f64, Vec<f64>)>,
 ) -> Option<(f64, (f64, Vec<f64>))> {
     let slope = dot(direction, gradient);

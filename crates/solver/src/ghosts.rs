@@ -55,7 +55,8 @@ impl<'a, R: Precision> Ghosts<'a, R> {
         model: &Model,
         state: &State<R>,
         volume: &[R],
-        (bodies, halo): (&'a [BodyCell], &Halo),
+        bodies: &'a [BodyCell],
+        halo: &Halo,
     ) -> Option<Self> {
         model.grid.has_open_faces().then(|| Self {
             undisturbed: Undisturbed::new(model, state.grid_position),

@@ -175,7 +175,7 @@ impl<R: Scalar> Undisturbed<R> {
 
     /// Density of the soil in a cell here [kg/m³].
     pub(crate) fn density(&self, model: &Model, cell: usize) -> f64 {
-        density(model, (&self.grid, &self.soil), cell)
+        density(model, &self.grid, &self.soil, cell)
     }
 }
 
@@ -346,7 +346,7 @@ fn relieve_void<R: Scalar>(soil: &mut Soil<R>) {
 }
 
 /// Density of the undeformed soil in a cell [kg/m³]: that at the height of its centre.
-fn density<R: Scalar>(model: &Model, (grid, soil): (&Grid, &Soil<R>), c: usize) -> f64 {
+fn density<R: Scalar>(model: &Model, grid: &Grid, soil: &Soil<R>, c: usize) -> f64 {
     let [_, _, k] = grid.layers_of(c);
     let z = 0.5 * (grid.faces[2][k] + grid.faces[2][k + 1]);
     let first = model.material().density_at(z);
@@ -361,9 +361,8 @@ fn weigh<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
         for j in 0..ny {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                soil.mass[c] = R::cast(
-                    density(model, (grid, soil), c) * soil.fraction[c].to_f64() * grid.volume(i, j, k),
-                );
+                soil.mass[c] =
+                    R::cast(density(model, grid, soil, c) * soil.fraction[c].to_f64() * grid.volume(i, j, k));
             }
         }
     }

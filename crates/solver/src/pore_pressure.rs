@@ -8,7 +8,7 @@
 
 use crate::contact::workspace::ContactWorkspace;
 use crate::contact::{self, Pressed};
-use crate::cpu::seepage::{self, SeepageWorkspace};
+use crate::cpu::seepage::{self, Balance, SeepageWorkspace};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::error::{Breakdown, Location};
@@ -43,7 +43,9 @@ pub(crate) fn renew<R: Precision>(
     let closed = pressed.iter().map(|own| (own.cell, -own.volume(&model.grid, &state.soil) / dt));
     seepage.open_gaps(opened.chain(closed));
     let inertia = ANTICIPATED * dt / model.least_density();
-    let off = seepage::balance_water((model, water), inertia, state, soil, (seepage, halo));
+    let (mobility, height) = (water.mobility(), state.grid_position.z);
+    let balance = Balance { model, water, mobility, with_inertia: mobility + inertia, height };
+    let off = balance.solve(state, soil, seepage, halo);
     soil.stopwatch().lap(Stage::Seepage);
     if off == 0.0 {
         return Ok(());

@@ -36,14 +36,13 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     enclosed::take_back(&mut state.soil, soil);
     ghosts::follow(model, state);
     R::displaced_volumes(model, state, soil);
-    let bodies = (&contact.body_cells[..], &*halo);
-    let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], bodies);
+    let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], &contact.body_cells, halo);
     let axes = if model.is_driven_along_y() { [1, 0, 2] } else { [0, 1, 2] };
     let order = ORDERS[(state.remaps % 6) as usize].map(|n| axes[n]);
     let filled = contact::filled(&contact.body_cells);
     for axis in order.into_iter().filter(|axis| grid.whole_cells()[*axis] > 1) {
         R::sweep(model, state, soil, axis, &active, &filled);
-        fill_swept(model, state, soil, (ghosts.as_mut(), halo));
+        fill_swept(model, state, soil, ghosts.as_mut(), halo);
     }
     R::update_after_remap(model, &mut state.soil, soil, &active);
     if let Some(ghosts) = ghosts {
@@ -78,7 +77,8 @@ fn fill_swept<R: Precision>(
     model: &Model,
     state: &mut State<R>,
     workspace: &mut SoilWorkspace<R>,
-    (ghosts, halo): (Option<&mut Ghosts<'_, R>>, &Halo),
+    ghosts: Option<&mut Ghosts<'_, R>>,
+    halo: &Halo,
 ) {
     let grid = &model.grid;
     let [soil, cell, _] = &mut workspace.velocity_before;

@@ -6,7 +6,7 @@ use crate::check::check;
 use crate::contact;
 use crate::cpu::stage_sums::RowSums;
 use crate::error::Breakdown;
-use crate::halo::filling::{At, begin_filling, end_filling};
+use crate::halo::filling::{At, Layers, begin_filling, end_filling};
 use crate::model::Model;
 use crate::pore_pressure;
 use crate::precision::Precision;
@@ -31,14 +31,14 @@ pub fn step<R: Precision>(
     let pressed = contact::press(model, state, &contact.confined);
     let mut known = |nodes: &_, before: &_| contact.begin_gather(nodes, before, halo);
     R::lagrangian_stage(model, state, soil, dt, &mut known);
-    let beside_cuts = (At::Nodes, 1);
+    let beside_cuts = Layers { at: At::Nodes, depth: 1 };
     begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
     let mut sums = soil.sums_of_stage();
     sums.add_pressing(contact::pressing_work(model, &state.soil, &pressed));
     sums.add_beyond(beyond.taken_up(model, &state.soil));
     sums.begin_total(halo);
     bodies::predict(model, mechanism, state, moving);
-    contact::solve(model, state, (soil, halo), contact, moving);
+    contact::solve(model, state, soil, halo, contact, moving);
     // First: contact nodes in ghost layers then get their velocities after contact, which are known here, too.
     end_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter_mut());
     let work = contact::apply(model, state, soil, contact, moving);

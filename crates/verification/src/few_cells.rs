@@ -31,13 +31,13 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
         (DISC, &[("disc, 4 cells", 3.125), ("disc, 2 cells", 6.25), ("disc, 1 cell", 12.5)], &[DRAG]),
     ];
     for (case, grids, forces) in cases {
-        compare(runner, case, (grids, forces))?;
+        compare(runner, case, grids, forces)?;
     }
     Ok(())
 }
 
 /// Runs a case on its grids; the forces on all but the first are told over those on the first.
-fn compare(runner: &mut Runner, case: &str, (grids, forces): (Grids, &[Force])) -> Result<(), VerifyError> {
+fn compare(runner: &mut Runner, case: &str, grids: Grids, forces: &[Force]) -> Result<(), VerifyError> {
     let mut finest: Option<Vec<f64>> = None;
     for (variant, cell) in grids {
         if !runner.wants("C6", variant)? {

@@ -36,10 +36,10 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
         return Ok(());
     };
     for (spacing, name) in SPACINGS {
-        group(runner, (2, spacing, name), [single, two])?;
+        group(runner, 2, spacing, name, [single, two])?;
     }
     for (spacing, name) in [SPACINGS[0], SPACINGS[4]] {
-        group(runner, (3, spacing, name), [single, three])?;
+        group(runner, 3, spacing, name, [single, three])?;
     }
     Ok(())
 }
@@ -77,7 +77,9 @@ fn forces(simulation: &Simulation) -> Forces {
 /// Some discs at a spacing over the diameter, beside as many single ones, and touching beside the roller.
 fn group(
     runner: &mut Runner,
-    (count, spacing, name): (u32, f64, &str),
+    count: u32,
+    spacing: f64,
+    name: &str,
     [single, roller]: [Forces; 2],
 ) -> Result<(), VerifyError> {
     let variant = format!("{count} discs, {name}");

@@ -24,11 +24,11 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     for cells in [8, 16] {
         let force = |s: &Simulation| mean(&s.history.bodies[0], [0.03, 0.06], |b| b.sinkage, |b| b.vertical);
         let overrides = [mesh(cells), "grid.fit=false".to_owned()];
-        smooth(runner, &format!("B1, B/h = {cells}"), (FOOTING, &overrides), &force)?;
+        smooth(runner, &format!("B1, B/h = {cells}"), FOOTING, &overrides, &force)?;
     }
     for cells in [8, 16] {
         let force = |s: &Simulation| mean(&s.history.bodies[0], [0.05, 0.1], |b| b.displacement, |b| b.drag);
-        smooth(runner, &format!("B5, H/h = {cells}"), (WALL, &[mesh(cells)]), &force)?;
+        smooth(runner, &format!("B5, H/h = {cells}"), WALL, &[mesh(cells)], &force)?;
     }
     at_rest(runner)?;
     towed(runner)
@@ -40,7 +40,8 @@ const SINGLE: &str = "numerics.precision=single";
 fn smooth(
     runner: &mut Runner,
     name: &str,
-    (case, overrides): (&str, &[String]),
+    case: &str,
+    overrides: &[String],
     force: &dyn Fn(&Simulation) -> f64,
 ) -> Result<(), VerifyError> {
     if !runner.wants("P1", name)? {

@@ -28,7 +28,7 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
         let clock = Instant::now();
         let (mut speed, mut stress) = (0.0_f64, [0.0_f64; 2]);
         for height in HEIGHTS {
-            let (fastest, error) = rest(runner, height, (every_step, flatness))?;
+            let (fastest, error) = rest(runner, height, every_step, flatness)?;
             speed = speed.max(fastest);
             stress = [stress[0].max(error[0]), stress[1].max(error[1])];
         }
@@ -48,7 +48,8 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
 fn rest(
     runner: &mut Runner,
     height: f64,
-    (every_step, flatness): (bool, u32),
+    every_step: bool,
+    flatness: u32,
 ) -> Result<(f64, [f64; 2]), VerifyError> {
     let overrides = [
         format!("grid.cell={} m", CELL / f64::from(flatness)),

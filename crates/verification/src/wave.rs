@@ -91,16 +91,16 @@ fn travel(bar: &Bar) -> Result<Travelled, VerifyError> {
         let distance = (x - c * time) / coarse - PULSE[1];
         PEAK * (-0.5 * (distance / PULSE[0]).powi(2)).exp()
     };
-    set((&model, axis), &mut state, |x| pulse(x, 0.5 * dt), |x| pulse(x, 0.0));
-    let begin = centre((&model, axis), &state);
+    set(&model, axis, &mut state, |x| pulse(x, 0.5 * dt), |x| pulse(x, 0.0));
+    let begin = centre(&model, axis, &state);
     let mut workspace = Workspace::new(&model, &mut state, 1);
     let steps = (TRAVEL * coarse / (c * dt)).round() as usize;
     for _ in 0..steps {
         step(&model, &mut state, &mut workspace)?;
     }
     let time = steps as f64 * dt;
-    let speed = (centre((&model, axis), &state) - begin) / time / c;
-    let error = difference((&model, axis), &state, |x| pulse(x, time + 0.5 * dt));
+    let speed = (centre(&model, axis, &state) - begin) / time / c;
+    let error = difference(&model, axis, &state, |x| pulse(x, time + 0.5 * dt));
     Ok(Travelled { speed, error, seconds: clock.elapsed().as_secs_f64() })
 }
 
@@ -118,7 +118,7 @@ fn model(bar: &Bar) -> Model {
 }
 
 /// Cell, or corner `side` of its low face, of layer `n` of the bar.
-fn index((model, axis): (&Model, usize), n: usize, side: [usize; 2]) -> usize {
+fn index(model: &Model, axis: usize, n: usize, side: [usize; 2]) -> usize {
     let mut layers = [0; 3];
     layers[axis] = n;
     [layers[(axis + 1) % 3], layers[(axis + 2) % 3]] = side;
@@ -127,7 +127,8 @@ fn index((model, axis): (&Model, usize), n: usize, side: [usize; 2]) -> usize {
 
 /// Velocities of a wave that travels to the right, and its stresses −ρ c v.
 fn set(
-    (model, axis): (&Model, usize),
+    model: &Model,
+    axis: usize,
     state: &mut State,
     velocity: impl Fn(f64) -> f64,
     at_stress: impl Fn(f64) -> f64,
@@ -137,10 +138,10 @@ fn set(
     let (lateral, axial) = (elastic.bulk - 2.0 / 3.0 * elastic.shear, elastic.constrained());
     for i in 0..=grid.cells()[axis] {
         for side in [[0, 0], [1, 0], [0, 1], [1, 1]] {
-            state.nodes.velocity[axis][index((model, axis), i, side)] = velocity(grid.faces[axis][i]);
+            state.nodes.velocity[axis][index(model, axis, i, side)] = velocity(grid.faces[axis][i]);
         }
         if i < grid.cells()[axis] {
-            let cell = index((model, axis), i, [0, 0]);
+            let cell = index(model, axis, i, [0, 0]);
             let stress = -model.material().density * model.wave_speed() * at_stress(grid.centre(axis, i));
             for (q, component) in state.soil.stress.iter_mut().take(3).enumerate() {
                 component[cell] = if q == axis { stress } else { stress * lateral / axial };
@@ -150,20 +151,20 @@ fn set(
 }
 
 /// Where the kinetic energy has its centre [m].
-fn centre((model, axis): (&Model, usize), state: &State) -> f64 {
+fn centre(model: &Model, axis: usize, state: &State) -> f64 {
     let faces = &model.grid.faces[axis];
-    let energy = |i: usize| state.nodes.velocity[axis][index((model, axis), i, [0, 0])].powi(2);
+    let energy = |i: usize| state.nodes.velocity[axis][index(model, axis, i, [0, 0])].powi(2);
     let sum = |weight: &dyn Fn(usize) -> f64| (0..faces.len()).map(|i| energy(i) * weight(i)).sum::<f64>();
     sum(&|i| faces[i]) / sum(&|_| 1.0)
 }
 
 /// L2 norm of the difference to a velocity, over that of the velocity.
-fn difference((model, axis): (&Model, usize), state: &State, exact: impl Fn(f64) -> f64) -> f64 {
+fn difference(model: &Model, axis: usize, state: &State, exact: impl Fn(f64) -> f64) -> f64 {
     let faces = &model.grid.faces[axis];
     let (mut off, mut all) = (0.0, 0.0);
     for (i, x) in faces.iter().enumerate() {
         let v = exact(*x);
-        off += (state.nodes.velocity[axis][index((model, axis), i, [0, 0])] - v).powi(2);
+        off += (state.nodes.velocity[axis][index(model, axis, i, [0, 0])] - v).powi(2);
         all += v * v;
     }
     (off / all).sqrt()

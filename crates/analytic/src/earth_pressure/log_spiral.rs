@@ -29,8 +29,8 @@ pub fn log_spiral(face: &Face) -> ModelResult<f64> {
     let block = Block::of(face);
     // ln of the exit distance in face lengths; then the swept angle [rad]. With a negative sweep (pole below the ground)
     // the far end would move down, and the thrust at a fixed point would be no bound.
-    let least = |exit: f64| scanned_minimum((0.0, 0.12, 26), |sweep| block.thrust(exit.exp(), sweep));
-    match scanned_minimum((-1.5, 0.125, 40), least) {
+    let least = |exit: f64| scanned_minimum(0.0, 0.12, 26, |sweep| block.thrust(exit.exp(), sweep));
+    match scanned_minimum(-1.5, 0.125, 40, least) {
         k if k.is_finite() => Ok(k),
         _ => undefined("the log-spiral bound", "there is no admissible block"),
     }
@@ -39,7 +39,7 @@ pub fn log_spiral(face: &Face) -> ModelResult<f64> {
 /// The minimum of `f`: a scan of (start, step, count), then a golden-section search around its best point.
 ///
 /// `f` is infinite where the block is not admissible, which a golden-section search alone cannot handle.
-fn scanned_minimum((start, step, count): (f64, f64, u32), f: impl Fn(f64) -> f64) -> f64 {
+fn scanned_minimum(start: f64, step: f64, count: u32, f: impl Fn(f64) -> f64) -> f64 {
     let scan = (0..count).map(|n| start + step * f64::from(n)).map(|x| (x, f(x)));
     let (x, value) = scan.fold((0.0, f64::INFINITY), |best, here| if here.1 < best.1 { here } else { best });
     if value.is_finite() { minimum((x - step).max(start), x + step, 20, f).1.min(value) } else { value }

@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let calibration = calibrated(&request, &interrupts, &mut tell, &folder)?;
     let mut value = document(&request, &calibration);
     value["request"] = serde_json::Value::String(identity);
-    let written = write(arguments, &request, &calibration, (&value, &folder))?;
+    let written = write(arguments, &request, &calibration, &value, &folder)?;
     if arguments.json {
         return say_json(&value);
     }
@@ -91,7 +91,8 @@ fn write(
     arguments: &Arguments,
     request: &Request<'_>,
     calibration: &Calibration,
-    (document, folder): (&serde_json::Value, &Path),
+    document: &serde_json::Value,
+    folder: &Path,
 ) -> Result<Vec<PathBuf>, Failure> {
     let fail = |error: &dyn std::fmt::Display| Failure::Request(error.to_string());
     let mut contents = vec![

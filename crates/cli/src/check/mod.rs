@@ -68,7 +68,8 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
         ));
     }
     if arguments.json {
-        return as_json((&case, &cost, seconds), (&meshes, variations.as_ref()), &warnings);
+        let document = document(&case, &cost, seconds, &warnings);
+        return as_json(document, &meshes, variations.as_ref());
     }
     let mut text = described(&case, &cost, seconds);
     // Writing to a string cannot fail.
@@ -93,7 +94,7 @@ pub fn check_text(case: &Case) -> String {
 #[must_use]
 pub fn check_document(case: &Case) -> serde_json::Value {
     let cost = estimate::cost(case);
-    document((case, &cost, None), &warnings(case, &cost))
+    document(case, &cost, None, &warnings(case, &cost))
 }
 
 fn described(case: &Case, cost: &Cost, seconds: Option<f64>) -> String {
@@ -129,11 +130,10 @@ fn variation_costs(path: &Path, overrides: &[String], case: &Case) -> Result<Var
 }
 
 fn as_json(
-    case: (&Case, &Cost, Option<f64>),
-    (meshes, variations): (&[MeshCost], Option<&VariationCosts>),
-    warnings: &[String],
+    mut document: serde_json::Value,
+    meshes: &[MeshCost],
+    variations: Option<&VariationCosts>,
 ) -> Result<(), Failure> {
-    let mut document = document(case, warnings);
     if !meshes.is_empty() {
         document["meshes"] = serde_json::json!(meshes);
     }
@@ -143,7 +143,7 @@ fn as_json(
     say_json(&document)
 }
 
-fn document((case, cost, seconds): (&Case, &Cost, Option<f64>), warnings: &[String]) -> serde_json::Value {
+fn document(case: &Case, cost: &Cost, seconds: Option<f64>, warnings: &[String]) -> serde_json::Value {
     let groups: serde_json::Map<String, serde_json::Value> =
         case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(Groups::of(case, b)))).collect();
     let mut document = serde_json::json!({

@@ -48,7 +48,7 @@ impl Facets {
             of[triangle] = if root == triangle { facets } else { of[root] };
             facets += usize::from(root == triangle);
         }
-        let convex = convex(mesh, normals, (&of, facets), &sides);
+        let convex = convex(mesh, normals, &of, facets, &sides);
         Self { normal: flat(normals, &of, facets), of, convex }
     }
 }
@@ -67,7 +67,8 @@ fn root(parent: &mut [usize], triangle: usize) -> usize {
 fn convex(
     mesh: &Mesh,
     normals: &[DVec3],
-    (of, facets): (&[usize], usize),
+    of: &[usize],
+    facets: usize,
     sides: &[Side],
 ) -> Vec<Vec<[DVec3; 2]>> {
     let mut convex = vec![Vec::new(); facets];

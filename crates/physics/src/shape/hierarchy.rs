@@ -45,7 +45,7 @@ impl Hierarchy {
         let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
         let mut nodes = Vec::with_capacity(triangles.len());
         if !triangles.is_empty() {
-            split(&mut nodes, triangles, &centres, (&mut order, 0));
+            split(&mut nodes, triangles, &centres, &mut order, 0);
         }
         let corners = order.iter().map(|n| triangles[*n as usize]).collect();
         (Self { nodes, corners }, order)
@@ -177,7 +177,8 @@ fn split(
     nodes: &mut Vec<Node>,
     triangles: &[[DVec3; 3]],
     centres: &[DVec3],
-    (order, first): (&mut [u32], usize),
+    order: &mut [u32],
+    first: usize,
 ) {
     let corners = order.iter().flat_map(|n| triangles[*n as usize]);
     let (low, high) = bounds(corners);
@@ -194,9 +195,9 @@ fn split(
     let along = |n: &u32| centres[*n as usize][axis];
     order.select_nth_unstable_by(middle, |a, b| along(a).total_cmp(&along(b)).then(a.cmp(b)));
     let (one, other) = order.split_at_mut(middle);
-    split(nodes, triangles, centres, (one, first));
+    split(nodes, triangles, centres, one, first);
     nodes[number].first = nodes.len() as u32;
-    split(nodes, triangles, centres, (other, first + middle));
+    split(nodes, triangles, centres, other, first + middle);
 }
 
 /// Low and high corner of the box round some points [m].

@@ -141,7 +141,7 @@ impl Shape for Polyhedron {
     fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
         let distance = |x| self.signed_distance(x);
         let plan = self.parts.plan.get_or_init(|| Plan::new(self.surface(), distance));
-        sampler::sample_as_planned(self.surface(), distance, plan, (spacing.min_element(), inset))
+        sampler::sample_as_planned(self.surface(), distance, plan, spacing.min_element(), inset)
     }
 
     fn surface_point_count(&self, spacing: DVec3, _inset: DVec3) -> f64 {

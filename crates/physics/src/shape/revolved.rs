@@ -64,7 +64,7 @@ impl Revolved {
     }
 
     /// Rows of points round an edge.
-    fn rows(&self, (edge, corners): (Edge, [f64; 2]), spacing: DVec3, inset: DVec3) -> Rows {
+    fn rows(&self, edge: Edge, corners: [f64; 2], spacing: DVec3, inset: DVec3) -> Rows {
         let spacing = self.profile_frame(spacing);
         let (along, around) = (spacing.y, spacing.x.min(spacing.z));
         // The width of a cell along the edge, the least anywhere on it.
@@ -154,8 +154,8 @@ impl Shape for Revolved {
     fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
         let (edges, is_half) = self.laid_out();
         let mut points = Vec::new();
-        for edge in edges {
-            let rows = self.rows(edge, spacing, inset);
+        for (edge, corners) in edges {
+            let rows = self.rows(edge, corners, spacing, inset);
             let first = points.len();
             for n in 0..rows.count as usize {
                 let directions = ring(TAU * rows.radius(n as f64), rows.spacing);
@@ -188,8 +188,8 @@ impl Shape for Revolved {
 
     fn surface_point_count(&self, spacing: DVec3, inset: DVec3) -> f64 {
         let (edges, is_half) = self.laid_out();
-        let points = |edge: (Edge, [f64; 2])| {
-            let rows = self.rows(edge, spacing, inset);
+        let points = |(edge, corners): (Edge, [f64; 2])| {
+            let rows = self.rows(edge, corners, spacing, inset);
             let area = TAU * rows.edge.swept(0.0, 1.0) / rows.spacing.powi(2);
             let around = |length: f64| ring_count(length, rows.spacing);
             ring_points(rows.count, |n| rows.radius(n), around, area)

@@ -44,7 +44,7 @@ pub(super) fn sample(
     inset: DVec3,
 ) -> Vec<SurfacePoint> {
     let plan = Plan::new(mesh, &distance);
-    sample_as_planned(mesh, distance, &plan, (spacing, inset))
+    sample_as_planned(mesh, distance, &plan, spacing, inset)
 }
 
 /// The same of a surface that has been looked at before.
@@ -52,7 +52,8 @@ pub(super) fn sample_as_planned(
     mesh: &Mesh,
     distance: impl Fn(DVec3) -> f64,
     Plan { facets, is_mirrored }: &Plan,
-    (spacing, inset): (f64, DVec3),
+    spacing: f64,
+    inset: DVec3,
 ) -> Vec<SurfacePoint> {
     let normals = normals(mesh);
     let mut edges = Edges::new(facets, inset, spacing);

@@ -43,9 +43,9 @@ pub(crate) fn bodies_at_search<R: Scalar>(model: &Model, state: &State<R>, crew:
     for (n, (fixed, body)) in model.bodies.iter().zip(&state.bodies).enumerate() {
         let pose = body.searched_at;
         let in_grid = Pose { position: pose.position - state.grid_position, ..pose };
-        let cells = cells_near((model, top), fixed, &in_grid);
+        let cells = cells_near(model, top, fixed, &in_grid);
         let each = crew.collect(cells.len(), AT_ONCE, |range| {
-            let occupied = occupied(model, (fixed, &in_grid), &cells[range]);
+            let occupied = occupied(model, fixed, &in_grid, &cells[range]);
             occupied.map(|(cell, fraction)| BodyCell { body: n, cell, fraction }).collect::<Vec<_>>()
         });
         found.extend(each.into_iter().flatten());
@@ -96,18 +96,19 @@ fn top_of_soil<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
 /// Those of some cells that a body occupies, wholly or in part: their indices in memory, and the volume fractions of the body.
 fn occupied<'a>(
     model: &'a Model,
-    (fixed, pose): (&'a BodyModel, &Pose),
+    fixed: &'a BodyModel,
+    pose: &Pose,
     cells: &'a [[usize; 3]],
 ) -> impl Iterator<Item = (usize, f64)> + 'a {
     let grid = &model.grid;
     let (position, rotation) = (pose.position, fixed.attitude(pose).inverse());
     let own = move |x: DVec3| rotation * (x - position);
-    let each = cells.iter().map(move |cell| (*cell, covered(grid, *cell, (fixed.shape.as_ref(), own))));
+    let each = cells.iter().map(move |cell| (*cell, covered(grid, *cell, fixed.shape.as_ref(), own)));
     each.filter(|(_, fraction)| *fraction > 0.0).map(|([i, j, k], fraction)| (grid.index(i, j, k), fraction))
 }
 
 /// The cells below a height [m] that the boxes around a body touch, i fastest.
-fn cells_near((model, top): (&Model, f64), fixed: &BodyModel, pose: &Pose) -> Vec<[usize; 3]> {
+fn cells_near(model: &Model, top: f64, fixed: &BodyModel, pose: &Pose) -> Vec<[usize; 3]> {
     let grid = &model.grid;
     let mut boxes = fixed.boxes(pose);
     boxes.iter_mut().for_each(|(_, high)| high.z = high.z.min(top));
@@ -157,7 +158,7 @@ pub(super) fn measure_bodies<R: Scalar>(
         if !grid.owns(grid.in_whole(layers)) {
             continue;
         }
-        let rise = local_rise(model, grid, (layers, *grid_position));
+        let rise = local_rise(model, grid, layers, *grid_position);
         let below = ((surface + rise - grid.faces[2][layers[2]]) / grid.width(2, layers[2])).clamp(0.0, 1.0);
         let volume = grid.volume_of(c.cell);
         let held = soil.fraction[c.cell].to_f64();
@@ -173,7 +174,7 @@ pub(super) fn measure_bodies<R: Scalar>(
 }
 
 /// How far the undisturbed surface over a cell lies above the level one [m].
-fn local_rise(model: &Model, grid: &Grid, ([i, j, _], position): ([usize; 3], DVec3)) -> f64 {
+fn local_rise(model: &Model, grid: &Grid, [i, j, _]: [usize; 3], position: DVec3) -> f64 {
     if model.ground.relief.is_level() {
         return 0.0;
     }
@@ -184,7 +185,7 @@ fn local_rise(model: &Model, grid: &Grid, ([i, j, _], position): ([usize; 3], DV
 
 /// Fraction of a cell that a shape covers, from 4³ samples; samples near the surface are weighted. `own` takes a position to the
 /// frame of the shape.
-fn covered(grid: &Grid, cell: [usize; 3], (shape, own): (&dyn Shape, impl Fn(DVec3) -> DVec3)) -> f64 {
+fn covered(grid: &Grid, cell: [usize; 3], shape: &dyn Shape, own: impl Fn(DVec3) -> DVec3) -> f64 {
     const SAMPLES: usize = 4;
     // Positions are interpolated from both faces and layers in y summed in pairs, so that mirroring in y
     // changes no bit.
@@ -222,8 +223,8 @@ fn normal(x: DVec3, step: DVec3, distance: impl Fn(DVec3) -> f64) -> DVec3 {
 pub(crate) fn cut_out_bodies<R: Scalar>(model: &Model, soil: &mut Soil<R>, poses: &[Pose]) {
     let mut body_fraction = vec![0.0; model.grid.entries];
     for (fixed, pose) in model.bodies.iter().zip(poses) {
-        let cells = cells_near((model, f64::INFINITY), fixed, pose);
-        for (c, fraction) in occupied(model, (fixed, pose), &cells) {
+        let cells = cells_near(model, f64::INFINITY, fixed, pose);
+        for (c, fraction) in occupied(model, fixed, pose, &cells) {
             body_fraction[c] = (body_fraction[c] + fraction).min(1.0);
         }
     }

@@ -8,7 +8,7 @@
 //! beyond the face.
 
 use super::constraint_points::ConstraintPoints;
-use super::cut_cell;
+use super::cut_cell::{self, Sampled};
 use super::problem::{ContactJacobian, ContactProblem, side};
 use crate::cpu::threads::Crew;
 use crate::model::Model;
@@ -104,8 +104,9 @@ pub(crate) fn number<R>(
         *numbers.entry((c.body, c.cell, axis, c.normal[axis] > 0.0, quarter)).or_insert(next)
     });
     let each: Vec<usize> = each.collect();
-    let sampled = (contacts.as_slice(), fraction, &surfaces);
-    let hourglass_correction =
-        cut_cell::corrections(model, bodies, *grid_position, sampled, (&each, numbers.len()), crew);
+    let mut first = vec![0; numbers.len()];
+    each.iter().enumerate().rev().for_each(|(n, number)| first[*number] = n);
+    let sampled = Sampled { contacts, fraction, surfaces: &surfaces };
+    let hourglass_correction = cut_cell::corrections(model, bodies, *grid_position, &sampled, &first, crew);
     (ConstraintPoints::new(each), hourglass_correction)
 }

@@ -68,17 +68,24 @@ pub(super) fn surfaces(
     each.into_iter().flatten().collect()
 }
 
-/// For each constraint the correction at the eight nodes of its cell per unit normal force, from its first contact point.
+/// What is known of the contact points for the corrections.
+pub(super) struct Sampled<'a> {
+    pub(super) contacts: &'a [Contact],
+    /// Volume fraction in the cell of each contact point.
+    pub(super) fraction: &'a [f64],
+    pub(super) surfaces: &'a CellSurfaces,
+}
+
+/// For each constraint, given by its first contact point, the correction at the eight nodes of its cell per unit normal force.
 pub(super) fn corrections(
     model: &Model,
     bodies: &[Body],
     grid_position: DVec3,
-    (contacts, fraction, surfaces): (&[Contact], &[f64], &CellSurfaces),
-    (constraint, constraints): (&[usize], usize),
+    sampled: &Sampled,
+    first: &[usize],
     crew: Crew,
 ) -> Vec<[DVec3; 8]> {
-    let mut first = vec![0; constraints];
-    constraint.iter().enumerate().rev().for_each(|(n, number)| first[*number] = n);
+    let Sampled { contacts, fraction, surfaces } = *sampled;
     let correction = |n: &usize| {
         let (c, none) = (&contacts[*n], [DVec3::ZERO; 8]);
         let surface = &surfaces[&(c.body, c.cell)];
@@ -92,7 +99,7 @@ pub(super) fn corrections(
         cell.hourglass_correction(fraction[*n]).map(|force| force / area)
     };
     let each =
-        crew.collect(constraints, AT_ONCE, |range| first[range].iter().map(correction).collect::<Vec<_>>());
+        crew.collect(first.len(), AT_ONCE, |range| first[range].iter().map(correction).collect::<Vec<_>>());
     each.into_iter().flatten().collect()
 }
 

@@ -69,8 +69,10 @@ impl EffectiveMass {
 /// to 1.
 pub(super) fn coupling(
     problem: &ContactProblem,
-    (a, mass_a): (&Constraint, &EffectiveMass),
-    (b, mass_b): (&Constraint, &EffectiveMass),
+    a: &Constraint,
+    mass_a: &EffectiveMass,
+    b: &Constraint,
+    mass_b: &EffectiveMass,
 ) -> f64 {
     let shared = |n: usize| {
         let node = a.jacobian.nodes[n];

@@ -106,7 +106,7 @@ impl SweptConstraint {
 
     /// The impulse after one relaxation.
     #[inline]
-    fn relaxed(&self, (nodes, bodies): (&[SweptNode], &[StruckBody]), relaxation: f64) -> DVec3 {
+    fn relaxed(&self, nodes: &[SweptNode], bodies: &[StruckBody], relaxation: f64) -> DVec3 {
         let Some(mass) = &self.mass else { return self.impulse };
         let relative = self.slip_velocity(nodes, &bodies[self.body]);
         mass.projected_impulse(relative, (self.normal, self.impulse), relaxation)
@@ -160,7 +160,8 @@ impl SweptIsland {
         &mut self,
         problem: &ContactProblem,
         island: usize,
-        (prepared, order): (&[Prepared], &[usize]),
+        prepared: &[Prepared],
+        order: &[usize],
     ) {
         let own = problem.islands.nodes[island].iter().map(|node| *node as usize);
         self.nodes.clear();
@@ -231,7 +232,7 @@ impl SweptIsland {
         while let Some((own, mass)) = of(first) {
             let next = of(first + 1).filter(|(other, _)| are_mirrored(problem, own, other));
             let relaxation = match (mass, next) {
-                (Some(a), Some((other, Some(b)))) => 1.0 / (1.0 + coupling(problem, (own, a), (other, b))),
+                (Some(a), Some((other, Some(b)))) => 1.0 / (1.0 + coupling(problem, own, a, other, b)),
                 _ => 1.0,
             };
             let second = first + usize::from(next.is_some());
@@ -269,13 +270,10 @@ fn sweep(times: usize, groups: &[Group], constraints: &mut [SweptConstraint], (n
 impl Group {
     #[inline]
     fn relax(&self, constraints: &mut [SweptConstraint], (nodes, bodies): Velocities) {
-        let first = constraints[self.first].relaxed((nodes, bodies), self.relaxation);
+        let first = constraints[self.first].relaxed(nodes, bodies, self.relaxation);
         let is_single = self.first == self.second;
-        let second = if is_single {
-            first
-        } else {
-            constraints[self.second].relaxed((nodes, bodies), self.relaxation)
-        };
+        let second =
+            if is_single { first } else { constraints[self.second].relaxed(nodes, bodies, self.relaxation) };
         let new = [first, second];
         let change = [new[0] - constraints[self.first].impulse, new[1] - constraints[self.second].impulse];
         self.apply(change, constraints, (nodes, bodies));

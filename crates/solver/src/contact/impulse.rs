@@ -112,7 +112,7 @@ impl Impulses {
         let (known, sweeps) = (&*problem, if has_joints { 0 } else { SWEEPS });
         problem.crew.portions(islands, least, |first, islands| {
             for (n, island) in islands.iter_mut().enumerate() {
-                island.begin(known, first + n, (prepared, order));
+                island.begin(known, first + n, prepared, order);
                 island.sweep(sweeps);
             }
         });
@@ -144,13 +144,13 @@ impl Impulses {
             ..
         } = problem;
         let (velocity, moving, dt) = (&**velocity, &**moving, *dt);
-        crew.portions2((contacts, impulses), POINTS_AT_ONCE, |first, contacts, impulses| {
+        crew.portions2(contacts, impulses, POINTS_AT_ONCE, |first, contacts, impulses| {
             for (n, (c, impulses)) in contacts.iter_mut().zip(impulses).enumerate() {
                 let n = first + n;
                 let constraint = &prepared[constraint_points.number[n]].0;
                 let constraint = is_active[n].load(Ordering::Relaxed).then_some(constraint);
                 *impulses = take_portion(c, constraint);
-                let closing = slip_velocity(c, (velocity, &corner_nodes[n]), moving).dot(c.normal);
+                let closing = slip_velocity(c, velocity, &corner_nodes[n], moving).dot(c.normal);
                 move_on(c, closing * dt, constraint);
             }
         });

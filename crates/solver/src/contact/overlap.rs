@@ -43,7 +43,7 @@ pub(crate) fn remove_overlap<R: Precision>(
     cells.dedup();
     let mut filled = filled(&contact.body_cells);
     filled.retain(|cell| model.grid.is_in_domain(*cell));
-    let mut round = |cells: &[usize], room| redistribute(model, state, (soil, halo), cells, room);
+    let mut round = |cells: &[usize], room| redistribute(model, state, soil, halo, cells, room);
     for _ in 0..ROUNDS {
         if !round(&cells, Room::Space) {
             break;
@@ -56,12 +56,13 @@ pub(crate) fn remove_overlap<R: Precision>(
 fn redistribute<R: Precision>(
     model: &Model,
     state: &mut State<R>,
-    (soil, halo): (&mut SoilWorkspace<R>, &Halo),
+    soil: &mut SoilWorkspace<R>,
+    halo: &Halo,
     cells: &[usize],
     room: Room,
 ) -> bool {
     let fractions = [&state.soil.fraction, &soil.velocity_before[0]].map(Vec::as_slice);
-    let transfers = distribute(&model.grid, (fractions, room), cells, soil.crew());
+    let transfers = distribute(&model.grid, fractions, room, cells, soil.crew());
     let mut left = [transfers.len() as i64];
     halo.add(&mut left);
     if left == [0] {
@@ -128,7 +129,8 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
 /// cell that would receive more than it has space for reduces all transfers to it by the same factor.
 fn distribute<R: Scalar>(
     grid: &Grid,
-    ([fraction, body_fraction], room): ([&[R]; 2], Room),
+    [fraction, body_fraction]: [&[R]; 2],
+    room: Room,
     cells: &[usize],
     crew: Crew,
 ) -> Vec<Transfer> {

@@ -119,7 +119,7 @@ impl ContactProblem<'_> {
 
     /// Relative velocity at a contact point [m/s].
     pub(crate) fn slip_velocity_of(&self, contact: usize) -> DVec3 {
-        slip_velocity(&self.contacts[contact], (self.velocity, &self.corner_nodes[contact]), self.moving)
+        slip_velocity(&self.contacts[contact], self.velocity, &self.corner_nodes[contact], self.moving)
     }
 
     /// Applies an impulse [N s] to the soil and its reaction to the free motions of the body.
@@ -185,7 +185,7 @@ impl ContactProblem<'_> {
 }
 
 /// Velocity of a body at a contact point minus that of the soil there, from the nodes of its cell [m/s].
-pub(crate) fn slip_velocity(c: &Contact, (velocity, corners): (&[DVec3], &[u32; 8]), moving: &Step) -> DVec3 {
+pub(crate) fn slip_velocity(c: &Contact, velocity: &[DVec3], corners: &[u32; 8], moving: &Step) -> DVec3 {
     let soil = |n: usize| c.weight[n] * velocity[corners[n] as usize];
     moving.velocity_at(c.body as usize, c.arm) - over_corners(std::array::from_fn(soil))
 }

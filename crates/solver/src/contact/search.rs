@@ -55,9 +55,9 @@ pub(crate) fn search<R: Scalar>(
     };
     let mut found = Vec::with_capacity(state.contacts.len());
     for (n, surface) in surfaces.iter().enumerate() {
-        let body = (n, state.pose(n), &Neighbours::of(model, state, n));
-        let each =
-            soil.crew().collect(surface.len(), POINTS_AT_ONCE, |points| view.search(body, surface, points));
+        let (pose, neighbours) = (state.pose(n), &Neighbours::of(model, state, n));
+        let search = |points| view.search(n, pose, neighbours, surface, points);
+        let each = soil.crew().collect(surface.len(), POINTS_AT_ONCE, search);
         found.extend(each.into_iter().flatten());
     }
     for c in body_cells {
@@ -104,7 +104,9 @@ impl<R: Scalar> View<'_, R> {
     /// Those points of a range that are contacts of a body.
     fn search(
         &self,
-        (n, pose, neighbours): (usize, &Pose, &Neighbours),
+        n: usize,
+        pose: &Pose,
+        neighbours: &Neighbours,
         surface: &Surface,
         points: Range<usize>,
     ) -> Vec<Contact> {
@@ -120,7 +122,7 @@ impl<R: Scalar> View<'_, R> {
             if neighbours.cover(pose.position + in_space[0], in_space[1]) {
                 continue;
             }
-            if let Some(mut contact) = self.find_contact(known, in_space, (body, pose.position)) {
+            if let Some(mut contact) = self.find_contact(known, in_space, body, pose.position) {
                 (contact.body, contact.point) = (n as u32, p as u32);
                 (contact.side, contact.is_paired) = (point.side, point.is_paired);
                 contact.area *= point.area;
@@ -137,7 +139,8 @@ impl<R: Scalar> View<'_, R> {
         &self,
         known: Option<&Contact>,
         [arm, normal]: [DVec3; 2],
-        (body, reference): (&BodyModel, DVec3),
+        body: &BodyModel,
+        reference: DVec3,
     ) -> Option<Contact> {
         let position = reference + arm;
         let in_grid = position - self.grid_position;

@@ -1,7 +1,7 @@
 //! Slip of the bodies' surfaces along the soil in one step: frictional dissipation, and the sums over the bins of the rim.
 
 use super::problem::{POINTS_AT_ONCE, of_body};
-use super::slip_terms::SlipTerms;
+use super::slip_terms::{SlipTerms, Slipping};
 use super::workspace::ContactWorkspace;
 use crate::cpu::threads::Crew;
 use crate::model::Model;
@@ -15,7 +15,8 @@ pub(super) fn account_slip<R>(
     model: &Model,
     state: &mut State<R>,
     workspace: &mut ContactWorkspace,
-    (moving, crew): (&Step, Crew),
+    moving: &Step,
+    crew: Crew,
 ) -> f64 {
     let ContactWorkspace {
         surfaces,
@@ -42,7 +43,8 @@ pub(super) fn account_slip<R>(
                 let axle = mechanism.bodies[c.body as usize].pose.rotation * DVec3::Y;
                 let pressure = pore_pressures.get(n).copied().unwrap_or(0.0);
                 let share = surfaces[c.body as usize].represented(c) / c.area;
-                *terms = SlipTerms::of(model, (c, share), (&impulses[n], slip), (axle, pressure));
+                let impulses = &impulses[n];
+                *terms = Slipping { contact: c, share, impulses, slip, axle, pressure }.terms(model);
             }
         }
     });

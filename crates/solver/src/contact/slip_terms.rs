@@ -15,22 +15,32 @@ pub(crate) struct SlipTerms {
     pub(super) sums: RimSums,
 }
 
-impl SlipTerms {
-    /// Of a point, what it represents over the area round it, its impulses on the soil [N s] and its slip velocity [m/s]; also needed are
-    /// the direction of its body's axle and the pore pressure [Pa].
-    pub(super) fn of(
-        model: &Model,
-        (c, share): (&Contact, f64),
-        (impulses, slip): (&[DVec3; 2], DVec3),
-        (axle, pressure): (DVec3, f64),
-    ) -> Self {
+/// A contact point that slips along the soil in a step.
+pub(super) struct Slipping<'a> {
+    pub(super) contact: &'a Contact,
+    /// The area that it represents over that round it.
+    pub(super) share: f64,
+    /// Its impulses on the soil, normal and frictional [N s].
+    pub(super) impulses: &'a [DVec3; 2],
+    /// Its slip velocity [m/s].
+    pub(super) slip: DVec3,
+    /// Direction of its body's axle.
+    pub(super) axle: DVec3,
+    /// Pore pressure [Pa].
+    pub(super) pressure: f64,
+}
+
+impl Slipping<'_> {
+    /// What the point adds to the sums over the rim.
+    pub(super) fn terms(&self, model: &Model) -> SlipTerms {
+        let Self { contact: c, share, impulses, slip, axle, pressure } = *self;
         let contact = c.area * model.time_step();
         let water = pressure * contact;
         let mut sums = RimSums::default();
         let friction = model.bodies[c.body as usize].friction;
         sums.add_impulses(c, impulses, water, [friction, c.shear_limit * contact]);
         sums.add_slip(impulses, slip, share * contact, &directions(c, impulses[0], axle));
-        Self { dissipation: impulses[1].dot(slip), water, sums }
+        SlipTerms { dissipation: impulses[1].dot(slip), water, sums }
     }
 }
 

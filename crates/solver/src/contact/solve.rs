@@ -29,7 +29,8 @@ pub(crate) struct ContactWork {
 pub(crate) fn solve<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
-    (soil, halo): (&mut SoilWorkspace<R>, &Halo),
+    soil: &mut SoilWorkspace<R>,
+    halo: &Halo,
     workspace: &mut ContactWorkspace,
     moving: &mut Step,
 ) {
@@ -98,7 +99,7 @@ pub(crate) fn apply<R: Scalar>(
     let lost = pore_pressures.iter().zip(openings).map(|(pressure, opening)| pressure * opening);
     let water_work = -lost.sum::<f64>() * model.time_step();
     let on_soil = scatter(&mut state.nodes, nodes, velocity);
-    let friction_work = account_slip(model, state, workspace, (moving, soil.crew()));
+    let friction_work = account_slip(model, state, workspace, moving, soil.crew());
     soil.stopwatch().lap(Stage::Contact);
     ContactWork { on_soil, friction_work, water_work }
 }

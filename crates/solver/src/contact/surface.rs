@@ -161,7 +161,7 @@ impl Surface {
         }
         let rim = rim(model, body);
         let mut surface = Self::of(&points, &rim, body.shape.mid_plane());
-        surface.sample_rim(model, body, (&rim, spacing));
+        surface.sample_rim(model, body, &rim, spacing);
         if body.shape.parts() > 1 {
             surface.parts = points.iter().map(|point| body.shape.part_of(point.position) as u16).collect();
         }
@@ -179,7 +179,7 @@ impl Surface {
     }
 
     /// Samples the rim, without what always stays outside the grid, and finds the areas of its bins.
-    fn sample_rim(&mut self, model: &Model, body: &BodyModel, (rim, spacing): (&Rim, DVec3)) {
+    fn sample_rim(&mut self, model: &Model, body: &BodyModel, rim: &Rim, spacing: DVec3) {
         let held: Vec<usize> = (0..2).filter(|axis| stays_across(body, *axis)).collect();
         let is_modelled = |position: DVec3| {
             let at = body.start.position + body.rotated(&body.start, position);

@@ -198,7 +198,8 @@ impl<'a> Crew<'a> {
     /// The same for two lists of the same length.
     pub(crate) fn portions2<A: Send, B: Send>(
         self,
-        (first, second): (&mut [A], &mut [B]),
+        first: &mut [A],
+        second: &mut [B],
         least: usize,
         job: impl Fn(usize, &mut [A], &mut [B]) + Sync,
     ) {

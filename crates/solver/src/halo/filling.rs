@@ -15,6 +15,15 @@ pub(crate) enum At {
     Nodes,
 }
 
+/// Ghost layers at cuts: of cells or of nodes, so many from the block outwards.
+#[derive(Clone, Copy)]
+pub(crate) struct Layers {
+    /// Where the values are located.
+    pub(crate) at: At,
+    /// How many layers, at most [`GHOSTS`].
+    pub(crate) depth: usize,
+}
+
 /// Fills the ghost layers of some arrays with their owners' values.
 pub(crate) fn fill<'a, R: Scalar>(
     halo: &Halo,
@@ -22,7 +31,7 @@ pub(crate) fn fill<'a, R: Scalar>(
     at: At,
     arrays: impl IntoIterator<Item = &'a mut Vec<R>>,
 ) {
-    fill_layers(halo, grid, (at, GHOSTS), arrays);
+    fill_layers(halo, grid, Layers { at, depth: GHOSTS }, arrays);
 }
 
 /// Fills the first of the ghost layers only, beside the block.
@@ -32,14 +41,13 @@ pub(crate) fn fill_first<'a, R: Scalar>(
     at: At,
     arrays: impl IntoIterator<Item = &'a mut Vec<R>>,
 ) {
-    fill_layers(halo, grid, (at, 1), arrays);
+    fill_layers(halo, grid, Layers { at, depth: 1 }, arrays);
 }
 
-/// Fills so many ghost layers, from the block outwards.
 fn fill_layers<'a, R: Scalar>(
     halo: &Halo,
     grid: &Grid,
-    layers: (At, usize),
+    layers: Layers,
     arrays: impl IntoIterator<Item = &'a mut Vec<R>>,
 ) {
     if !halo.is_alone() {
@@ -49,16 +57,16 @@ fn fill_layers<'a, R: Scalar>(
     }
 }
 
-/// Begins to fill so many ghost layers: sends the neighbours what they need.
+/// Begins to fill ghost layers: sends the neighbours what they need.
 pub(crate) fn begin_filling<'a, R: Scalar>(
     halo: &Halo,
     grid: &Grid,
-    (at, depth): (At, usize),
+    layers: Layers,
     arrays: impl Iterator<Item = &'a Vec<R>> + Clone,
 ) {
     let stride = grid.stride[1];
     let message = |neighbour: &Neighbour| {
-        let sent = rows(grid, [1, 2].map(|axis| edge(grid, (at, depth), axis, neighbour.side[axis - 1])));
+        let sent = rows(grid, [1, 2].map(|axis| layers.edge(grid, axis, neighbour.side[axis - 1])));
         let mut values = Vec::with_capacity(sent.len() * arrays.clone().count() * stride);
         for array in arrays.clone() {
             for row in &sent {
@@ -74,14 +82,15 @@ pub(crate) fn begin_filling<'a, R: Scalar>(
 pub(crate) fn end_filling<'a, R: Scalar>(
     halo: &Halo,
     grid: &Grid,
-    (at, depth): (At, usize),
+    layers: Layers,
     arrays: impl Iterator<Item = &'a mut Vec<R>>,
 ) {
     let stride = grid.stride[1];
     let received = halo.end_exchange();
-    let filled = halo.neighbours.iter().map(|neighbour| {
-        rows(grid, [1, 2].map(|axis| ghosts(grid, (at, depth), axis, neighbour.side[axis - 1])))
-    });
+    let filled = halo
+        .neighbours
+        .iter()
+        .map(|neighbour| rows(grid, [1, 2].map(|axis| layers.ghosts(grid, axis, neighbour.side[axis - 1]))));
     let mut each: Vec<_> =
         filled.zip(&received).map(|(rows, values)| (rows, values.chunks_exact(stride))).collect();
     for array in arrays {
@@ -94,28 +103,32 @@ pub(crate) fn end_filling<'a, R: Scalar>(
     }
 }
 
-/// Layers along an axis needed by the neighbour on a side. Both blocks hold the nodes on the boundary between them.
-fn edge(grid: &Grid, (at, depth): (At, usize), axis: usize, side: i32) -> Range<usize> {
-    let beyond = grid.own[axis].end - grid.first[axis];
-    match side {
-        0 => between_cuts(grid, at, axis),
-        1 => beyond - depth..beyond,
-        _ => {
-            let first = grid.own[axis].start - grid.first[axis] + usize::from(at == At::Nodes);
-            first..first + depth
+impl Layers {
+    /// Layers along an axis needed by the neighbour on a side. Both blocks hold the nodes on the boundary between them.
+    fn edge(self, grid: &Grid, axis: usize, side: i32) -> Range<usize> {
+        let Self { at, depth } = self;
+        let beyond = grid.own[axis].end - grid.first[axis];
+        match side {
+            0 => between_cuts(grid, at, axis),
+            1 => beyond - depth..beyond,
+            _ => {
+                let first = grid.own[axis].start - grid.first[axis] + usize::from(at == At::Nodes);
+                first..first + depth
+            }
         }
     }
-}
 
-/// Ghost layers along an axis that the neighbour on a side owns.
-fn ghosts(grid: &Grid, (at, depth): (At, usize), axis: usize, side: i32) -> Range<usize> {
-    match side {
-        0 => between_cuts(grid, at, axis),
-        1 => {
-            let first = grid.own[axis].end - grid.first[axis] + usize::from(at == At::Nodes);
-            first..first + depth
+    /// Ghost layers along an axis that the neighbour on a side owns.
+    fn ghosts(self, grid: &Grid, axis: usize, side: i32) -> Range<usize> {
+        let Self { at, depth } = self;
+        match side {
+            0 => between_cuts(grid, at, axis),
+            1 => {
+                let first = grid.own[axis].end - grid.first[axis] + usize::from(at == At::Nodes);
+                first..first + depth
+            }
+            _ => GHOSTS - depth..GHOSTS,
         }
-        _ => GHOSTS - depth..GHOSTS,
     }
 }
 

@@ -24,7 +24,7 @@ pub(super) fn flatten(surface: &mut Mesh, height: f64) -> usize {
             let Some(edge) = long_edge(surface, sliver, height) else { continue };
             let other = beyond[sliver][edge] as usize;
             // The neighbours of both change.
-            if touched[sliver] || touched[other] || !flip(surface, [sliver, other], (edge, height), &beyond) {
+            if touched[sliver] || touched[other] || !flip(surface, [sliver, other], edge, height, &beyond) {
                 continue;
             }
             for triangle in [sliver, other] {
@@ -54,7 +54,8 @@ fn long_edge(surface: &Mesh, number: usize, height: f64) -> Option<usize> {
 fn flip(
     surface: &mut Mesh,
     [sliver, other]: [usize; 2],
-    (edge, height): (usize, f64),
+    edge: usize,
+    height: f64,
     beyond: &[[u32; 3]],
 ) -> bool {
     let [a, b, c] = [0, 1, 2].map(|n| surface.triangles[sliver][(edge + n) % 3]);

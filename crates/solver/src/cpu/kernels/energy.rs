@@ -19,36 +19,44 @@ pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64
     let own = start..start + columns.len().next_multiple_of(LANES);
     let across = grid.width(1, q - 1) * grid.width(2, plane - 1);
     let stress = soil.stress.each_ref().map(|s| &s[own.clone()]);
-    let (faces, fraction) = (&grid.faces[0][columns.start..=columns.end], &soil.fraction[own.clone()]);
+    let cells =
+        Cells { faces: &grid.faces[0][columns.start..=columns.end], fraction: &soil.fraction[own.clone()] };
     if let [material] = model.materials.as_slice() {
-        return elastic_row(material, (faces, fraction), stress, across);
+        return elastic_row(material, cells, stress, across);
     }
     let of_material = |(number, material): (usize, &Material)| {
-        let each = fraction.iter().zip(own.clone());
+        let each = cells.fraction.iter().zip(own.clone());
         let own: Vec<Real> =
             each.map(|(f, c)| if soil.main_material(c) == number { *f } else { 0.0 }).collect();
-        elastic_row(material, (faces, &own), stress, across)
+        elastic_row(material, Cells { fraction: &own, ..cells }, stress, across)
     };
     model.materials.iter().enumerate().map(of_material).sum()
 }
 
-/// Cells beyond the last face count nothing.
-fn elastic_row(material: &Material, cells: (&[f64], &[Real]), stress: [&[Real]; 6], across: f64) -> f64 {
+/// A row of cells: its faces [m], and volume fractions. Cells beyond the last face count nothing.
+#[derive(Clone, Copy)]
+struct Cells<'a> {
+    faces: &'a [f64],
+    fraction: &'a [Real],
+}
+
+fn elastic_row(material: &Material, cells: Cells, stress: [&[Real]; 6], across: f64) -> f64 {
     match material.stiffening() {
-        Some(stiffening) => stiffening_row((&material.elastic, &stiffening), cells, stress, across),
+        Some(stiffening) => stiffening_row(&material.elastic, &stiffening, cells, stress, across),
         None => linear_row(&material.elastic, cells, stress, across),
     }
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn linear_row(elastic: &Elastic, cells: (&[f64], &[Real]), stress: [&[Real]; 6], across: f64) -> f64 {
+fn linear_row(elastic: &Elastic, cells: Cells, stress: [&[Real]; 6], across: f64) -> f64 {
     sum_of_row(|stress| elastic.energy(stress), cells, stress, across)
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn stiffening_row(
-    (elastic, stiffening): (&Elastic, &Stiffening),
-    cells: (&[f64], &[Real]),
+    elastic: &Elastic,
+    stiffening: &Stiffening,
+    cells: Cells,
     stress: [&[Real]; 6],
     across: f64,
 ) -> f64 {
@@ -59,7 +67,7 @@ fn stiffening_row(
 #[inline(always)]
 fn sum_of_row(
     density: impl Fn(Symmetric) -> f64,
-    (faces, fraction): (&[f64], &[Real]),
+    Cells { faces, fraction }: Cells,
     stress: [&[Real]; 6],
     across: f64,
 ) -> f64 {

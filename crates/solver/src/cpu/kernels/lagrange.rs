@@ -71,7 +71,7 @@ pub(crate) fn lagrange(
     }
     let turns: &[Turn] = if workspace.far_portions > 0 { &[Turn::Near, Turn::Far] } else { &[Turn::All] };
     for turn in turns {
-        strain(model, state, workspace, (dt, clears), *turn);
+        strain(model, state, workspace, dt, clears, *turn);
         if workspace.contact_from.is_some() && *turn != Turn::Far {
             known(&state.nodes, &workspace.velocity_before);
         }
@@ -110,13 +110,7 @@ impl Turn {
 }
 
 /// Strains the cells of some portions and moves their nodes.
-fn strain(
-    model: &Model,
-    state: &mut State,
-    workspace: &mut Workspace,
-    (dt, clears): (f64, bool),
-    turn: Turn,
-) {
+fn strain(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64, clears: bool, turn: Turn) {
     let Workspace {
         team,
         partition,
@@ -351,7 +345,7 @@ fn move_row_of(inputs: &Inputs, slice: &mut PortionSlice, row_and_plane: [usize;
         displacement: slice.displacement.each_mut().map(|u| &mut u[own.clone()]),
         velocity,
     };
-    move_row(&inputs.nodes, &mut nodes, (&slice.scratch.row, row));
+    move_row(&inputs.nodes, &mut nodes, &slice.scratch.row, row);
     apply_boundaries(inputs, row_and_plane, &mut nodes.velocity);
     finish_row(&inputs.nodes, &nodes, &mut slice.scratch.row, &mut slice.sums[n]);
 }

@@ -107,7 +107,7 @@ fn gather_damping([behind, ahead]: [&[Real]; 2], below: &mut [Real], out: &mut [
 /// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay. The sums are rows of
 /// `stride`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-pub(crate) fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, (sum, stride): (&[Real], usize)) {
+pub(crate) fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, sum: &[Real], stride: usize) {
     let n = nodes.mass.len();
     let sum_of = |q: usize| &sum[q * stride + 1..][..n];
     for q in 0..3 {

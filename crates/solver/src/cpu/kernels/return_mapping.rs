@@ -98,7 +98,7 @@ fn apply_law<L: YieldLaw>(
         for (l, i) in lanes() {
             packed.load::<L>(constants, cells, b, (l, i));
         }
-        packed.return_stress((yield_law, constants.dt), &dissipation);
+        packed.return_stress(yield_law, constants.dt, &dissipation);
         for (l, i) in lanes() {
             packed.store::<L>(constants, cells, b, (l, i));
         }
@@ -231,7 +231,8 @@ impl Yielding {
     #[inline(always)]
     fn return_stress(
         &mut self,
-        (yield_law, duration): (&impl YieldLaw, Real),
+        yield_law: &impl YieldLaw,
+        duration: Real,
         dissipation: &impl Fn(Symmetric, Symmetric, Symmetric) -> Real,
     ) {
         for l in 0..LANES {

@@ -8,7 +8,7 @@ mod rows;
 mod solve;
 
 pub(crate) use conductance::find;
-pub(crate) use solve::balance_water;
+pub(crate) use solve::Balance;
 
 use crate::grid::Grid;
 use crate::model::Model;

@@ -8,7 +8,9 @@ use multiversion::multiversion;
 /// The two neighbours along an axis are added first, so that a mirrored case gives mirrored sums.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(super) fn outflow(
-    (at, conductance, diagonal): (&[f64], &[Vec<f64>; 3], &[f64]),
+    at: &[f64],
+    conductance: &[Vec<f64>; 3],
+    diagonal: &[f64],
     start: usize,
     [y, z]: [usize; 2],
     out: &mut [f64],
@@ -38,7 +40,8 @@ pub(super) fn expansion<R: Scalar>(
     velocity: &[Vec<R>; 3],
     starts: [usize; 4],
     fraction: &[R],
-    (width_x, [hy, hz]): (&[R], [f64; 2]),
+    width_x: &[R],
+    [hy, hz]: [f64; 2],
     out: &mut [f64],
 ) {
     let n = out.len();

@@ -18,57 +18,55 @@ const TOLERANCE: f64 = 0.02;
 /// Most iterations in a step.
 const ITERATIONS: usize = 400;
 
-/// What is the same for all cells.
-struct Balance<'a> {
-    model: &'a Model,
-    water: &'a PoreWater,
+/// The balance of the pore water: what is the same for all cells.
+pub(crate) struct Balance<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) water: &'a PoreWater,
     /// Mobility of the water k/γ_w [m²/(Pa s)].
-    mobility: f64,
-    /// The same with what the inertia of the soil adds [m²/(Pa s)].
-    with_inertia: f64,
+    pub(crate) mobility: f64,
+    /// Mobility with what the inertia of the soil adds [m²/(Pa s)].
+    pub(crate) with_inertia: f64,
     /// How far the grid has travelled upwards [m].
-    height: f64,
-}
-
-/// Changes the pore pressures so that water flows in where the soil expands with its present velocities:
-/// (M + T) A Δp = −f V div v − M A p, with A what flows out of the cells per mobility, M the mobility, and T the inertia of the soil.
-/// Returns 0, or, where the balance cannot be met, how far it is off over what is allowed.
-pub(crate) fn balance_water<R: Scalar>(
-    (model, water): (&Model, &PoreWater),
-    inertia: f64,
-    state: &mut State<R>,
-    soil: &mut SoilWorkspace<R>,
-    (workspace, halo): (&mut SeepageWorkspace, &Halo),
-) -> f64 {
-    let mobility = water.mobility();
-    let height = state.grid_position.z;
-    let balance = Balance { model, water, mobility, with_inertia: mobility + inertia, height };
-    balance.guess(state, soil, workspace);
-    fill_first(halo, &model.grid, At::Cells, [&mut workspace.direction]);
-    balance.find_residual(state, soil, workspace);
-    let [mut left, taken] = soil.total_of_rows(&model.grid, halo);
-    let enough = TOLERANCE * TOLERANCE * taken;
-    let mut conjugate = 0.0;
-    for _ in 0..ITERATIONS {
-        if left <= enough {
-            break;
-        }
-        turn(&model.grid, soil, workspace, conjugate);
-        fill_first(halo, &model.grid, At::Cells, [&mut workspace.direction]);
-        apply(&model.grid, soil, workspace);
-        let [curvature, _] = soil.total_of_rows(&model.grid, halo);
-        advance(&model.grid, soil, workspace, left / curvature);
-        let [next, _] = soil.total_of_rows(&model.grid, halo);
-        conjugate = next / left;
-        left = next;
-    }
-    balance.finish(state, soil, workspace);
-    fill_first(halo, &model.grid, At::Cells, pressures(&mut state.soil.history));
-    // What is not a number is found by the check at the end of the step.
-    if left > enough { (left / enough).sqrt() } else { 0.0 }
+    pub(crate) height: f64,
 }
 
 impl Balance<'_> {
+    /// Changes the pore pressures so that water flows in where the soil expands with its present velocities:
+    /// (M + T) A Δp = −f V div v − M A p, with A what flows out of the cells per mobility, M the mobility, and T the inertia of the soil.
+    /// Returns 0, or, where the balance cannot be met, how far it is off over what is allowed.
+    pub(crate) fn solve<R: Scalar>(
+        &self,
+        state: &mut State<R>,
+        soil: &mut SoilWorkspace<R>,
+        workspace: &mut SeepageWorkspace,
+        halo: &Halo,
+    ) -> f64 {
+        let grid = &self.model.grid;
+        self.guess(state, soil, workspace);
+        fill_first(halo, grid, At::Cells, [&mut workspace.direction]);
+        self.find_residual(state, soil, workspace);
+        let [mut left, taken] = soil.total_of_rows(grid, halo);
+        let enough = TOLERANCE * TOLERANCE * taken;
+        let mut conjugate = 0.0;
+        for _ in 0..ITERATIONS {
+            if left <= enough {
+                break;
+            }
+            turn(grid, soil, workspace, conjugate);
+            fill_first(halo, grid, At::Cells, [&mut workspace.direction]);
+            apply(grid, soil, workspace);
+            let [curvature, _] = soil.total_of_rows(grid, halo);
+            advance(grid, soil, workspace, left / curvature);
+            let [next, _] = soil.total_of_rows(grid, halo);
+            conjugate = next / left;
+            left = next;
+        }
+        self.finish(state, soil, workspace);
+        fill_first(halo, grid, At::Cells, pressures(&mut state.soil.history));
+        // What is not a number is found by the check at the end of the step.
+        if left > enough { (left / enough).sqrt() } else { 0.0 }
+    }
+
     /// Starts from the change of the last step, and puts what it and the present pressures make flow together into `direction`
     /// [m²/s].
     fn guess<R: Scalar>(&self, state: &State<R>, soil: &SoilWorkspace<R>, workspace: &mut SeepageWorkspace) {
@@ -117,7 +115,7 @@ impl Balance<'_> {
                 let start = row * partition.stride + columns.start;
                 let [_, y, z] = grid.stride;
                 let (flow, taken) = (&mut product[columns.clone()], &mut residual[columns.clone()]);
-                outflow((direction, conductance, diagonal), start, [y, z], flow);
+                outflow(direction, conductance, diagonal, start, [y, z], flow);
                 let [q, plane] = grid.row_and_plane(row);
                 let widths = [grid.width(1, q - 1), grid.width(2, plane - 1)];
                 let nodes = [start, start + y, start + z, start + y + z];
@@ -126,7 +124,8 @@ impl Balance<'_> {
                     &state.nodes.velocity,
                     nodes,
                     fraction,
-                    (&width_x[0][columns.clone()], widths),
+                    &width_x[0][columns.clone()],
+                    widths,
                     taken,
                 );
                 let cavitation = self.water.cavitation_pressure(grid.centre(2, plane - 1) + self.height);
@@ -208,7 +207,7 @@ fn apply<R: Scalar>(grid: &Grid, soil: &mut SoilWorkspace<R>, workspace: &mut Se
             let start = row * partition.stride + columns.start;
             let [_, y, z] = grid.stride;
             let flow = &mut flow[columns];
-            outflow((direction, conductance, diagonal), start, [y, z], flow);
+            outflow(direction, conductance, diagonal, start, [y, z], flow);
             value[0] = product(&direction[start..start + flow.len()], flow);
         }
     });
