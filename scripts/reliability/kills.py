@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Kills a run at random moments and starts it again until it has come to its end, on changing numbers of threads.
+"""Kills a run at random moments and starts it again until it has finished, on changing numbers of threads.
 
 CSV files, fields, time lists and checkpoints of every finished run must be those of a run that nobody killed, byte for
 byte; so must summary.json, but for the wall clock. After every kill `coulter report` must work on what there is.
@@ -127,7 +127,7 @@ def main():
                 number, _, codes = draw.choices(SIGNALS, [weight for _, weight, _ in SIGNALS])[0]
                 run.send_signal(number)
                 _, told = run.communicate()
-                # It may have come to its end just before.
+                # It may have finished just before.
                 if run.returncode == 0:
                     break
                 kills += 1

@@ -99,7 +99,7 @@ def alone(coulter, case):
 
 
 def requeued(number, name, case, began):
-    """The job has come to its end after it was stopped, with the results of a run that was left alone."""
+    """The job has finished after it was stopped, with the results of a run that was left alone."""
     state = ended(number, name)
     text = Path(f"{name}.log").read_text(errors="replace")
     turns = int(state.get("Restarts", 0)) + 1

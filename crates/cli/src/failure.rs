@@ -41,7 +41,7 @@ impl Failure {
         }
     }
 
-    /// The same without a word, of a process that is not the first of several: they all fail alike.
+    /// This failure without a word, of a process that is not the first of several: they all fail alike.
     pub(super) fn unsaid(self) -> Self {
         Self::Elsewhere(self.exit_code())
     }

@@ -62,7 +62,7 @@ impl Configuration {
         self.position + self.start * point
     }
 
-    /// The same at the end of the step.
+    /// Place of a point of the body [m] at the end of the step.
     #[must_use]
     pub fn point_at_end(&self, point: DVec3) -> DVec3 {
         self.position + self.displacement + self.end * point

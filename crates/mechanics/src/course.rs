@@ -50,7 +50,7 @@ impl Course {
         Some(Self { times, displacements, speeds })
     }
 
-    /// The same, later by a time [s].
+    /// This course, later by a time [s].
     #[must_use]
     pub fn later(&self, by: f64) -> Self {
         Self { times: self.times.iter().map(|time| time + by).collect(), ..self.clone() }

@@ -45,7 +45,7 @@ impl Inertia {
         Self::principal(mass, DVec3::new(across, 0.5 * mass * radius * radius, across))
     }
 
-    /// The same body with its centre of mass elsewhere [m, from the reference point].
+    /// This body with its centre of mass elsewhere [m, from the reference point].
     #[must_use]
     pub fn with_centre(self, centre: DVec3) -> Self {
         Self { centre, ..self }

@@ -46,7 +46,7 @@ impl Mechanism {
         mechanism.check().map(|()| mechanism)
     }
 
-    /// The same without [`Mechanism::check`].
+    /// A mechanism of these bodies and joints without [`Mechanism::check`].
     #[must_use]
     pub fn unchecked(bodies: Vec<Body>, joints: Vec<Arc<dyn Joint>>) -> Self {
         Self { bodies, joints }

@@ -22,7 +22,7 @@ use glam::DVec3;
 const ITERATIONS: usize = 40;
 /// Change of the twists in an iteration, relative to the twists, below which they have converged; chosen near round-off.
 const CONVERGED: f64 = 1e-15;
-/// The same, below which they have converged if it no longer decreases.
+/// Change of the twists in an iteration, relative to the twists, below which they have converged if it no longer decreases.
 const STAGNANT: f64 = 1e-9;
 
 impl Mechanism {

@@ -70,7 +70,7 @@ impl Mobility {
         self.linear + half + half.transpose() - cross * self.angular * cross
     }
 
-    /// The same along a unit vector [1/kg]; its inverse is the effective mass.
+    /// Response along a unit vector to a unit impulse along it [1/kg]; its inverse is the effective mass.
     #[must_use]
     pub fn along(&self, arm: DVec3, direction: DVec3) -> f64 {
         let impulse = Wrench::at(arm, direction);

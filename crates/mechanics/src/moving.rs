@@ -42,7 +42,7 @@ pub(crate) struct MovingBody {
     pub(crate) predicted: Twist,
     /// Twist of this step.
     pub(crate) twist: Twist,
-    /// Its next iterate.
+    /// Next iterate of the twist.
     pub(crate) next: Twist,
 }
 

@@ -24,7 +24,7 @@ impl Pose {
         Self { position, ..Self::IDENTITY }
     }
 
-    /// Its rotation as a matrix; the columns are the body's axes in space.
+    /// Rotation of the body as a matrix; the columns are the body's axes in space.
     #[must_use]
     pub fn axes(&self) -> DMat3 {
         DMat3::from_quat(self.rotation)

@@ -34,7 +34,7 @@ pub struct Step {
 /// What contact needs of a body in its sweeps, apart from all else: how it moves and responds.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StruckBody {
-    /// Its twist.
+    /// Twist of the body.
     pub twist: Twist,
     mobility: Mobility,
     /// The whole body over its modelled portion.
@@ -125,7 +125,7 @@ impl Step {
         body.mobility.at(arm) * (1.0 / body.modelled_fraction)
     }
 
-    /// Its diagonal: along x, y and z [1/kg].
+    /// Diagonal of the inverse mass at a point of a body: along x, y and z [1/kg].
     #[must_use]
     pub fn inverse_mass_diagonal(&self, body: usize, arm: DVec3) -> DVec3 {
         let block = self.inverse_mass(body, arm);

@@ -26,7 +26,7 @@ pub(crate) type Question<Q> = (Q, SyncSender<bool>);
 /// Lets `work` run on a thread of its own without the interpreter's lock, and serves its questions in this one, in their order.
 ///
 /// # Errors
-/// The first exception that `serve` or a signal has raised: `stop` has been called then, and the work has come to its end.
+/// The first exception that `serve` or a signal has raised: `stop` has been called then, and the work has finished.
 pub(crate) fn attend<Q: Send, T: Send>(
     py: Python<'_>,
     work: impl FnOnce(SyncSender<Question<Q>>) -> T + Send,

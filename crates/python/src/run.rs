@@ -63,7 +63,7 @@ impl RunCall {
     }
 }
 
-/// Runs a case to its end, or until `on_sample(time, bodies)` returns `False` or raises, or Ctrl-C. `warn(text)` is told of warnings
+/// Runs a case to its end, or until `on_sample(time, bodies)` returns `False` or raises, or Ctrl-C. `warn(text)` gets the warnings
 /// before it begins. Returns the results folder, how it ended (`finished`, `stopped` or `broken`), and of a broken one why.
 ///
 /// # Errors

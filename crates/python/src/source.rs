@@ -13,7 +13,7 @@ use std::path::PathBuf;
 pub(crate) enum Source {
     /// The path of its file.
     Path(PathBuf),
-    /// Its keys and values, as the file would have them.
+    /// Keys and values of a case, as the file would have them.
     Keys(Value),
 }
 
@@ -28,7 +28,7 @@ pub(crate) struct SourceText {
 const UNNAMED: &str = "case.toml";
 
 impl Source {
-    /// Its text. Nested maps are written as a case file, so that whatever is said of it has a line.
+    /// Text of the case. Nested maps are written as a case file, so that whatever is said of it has a line.
     pub(crate) fn text(&self) -> PyResult<SourceText> {
         match self {
             Self::Path(path) => {

@@ -145,7 +145,7 @@ impl Symmetry {
         DVec3::from_array(std::array::from_fn(|axis| if self.across[axis] { 0.0 } else { sum[axis] }))
     }
 
-    /// The same of a moment: components along a plane cancel, for a mirror turns them round.
+    /// A moment of the whole, from the sum over the modelled portion and its mirror images: components along a plane cancel, for a mirror turns them round.
     #[must_use]
     pub fn moment_of_whole(self, sum: DVec3) -> DVec3 {
         let cancels = |axis: usize| (0..3).any(|plane| plane != axis && self.across[plane]);

@@ -21,9 +21,9 @@ pub enum Carrier {
 /// A history variable of the soil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HistoryVariable {
-    /// Its name in field files.
+    /// Name of the variable in field files.
     pub name: &'static str,
-    /// Its unit, "" where it has none.
+    /// Unit of the variable, "" where it has none.
     pub unit: &'static str,
     /// What it is averaged by.
     pub carrier: Carrier,
@@ -111,7 +111,7 @@ history! {
     INTACT_STRENGTH = "intact_shear_strength" ["Pa"] by Volume, needed_by: Clay;
     /// Excess pore pressure: that of the water between the grains beyond the hydrostatic one.
     PORE_PRESSURE = "excess_pore_pressure" ["Pa"] by Volume, needed_by: Water;
-    /// The same, extrapolated to the next step, in which it acts.
+    /// Excess pore pressure, extrapolated to the next step, in which it acts.
     PORE_PRESSURE_AHEAD = "excess_pore_pressure_ahead" ["Pa"] by Volume, needed_by: Water;
 }
 
@@ -186,7 +186,7 @@ impl<R> Soil<R> {
         self.stress.iter().chain(self.history.iter().filter(|field| !field.is_empty()))
     }
 
-    /// The same, mutable.
+    /// The arrays that change as the soil is strained, mutable.
     pub fn strained_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         self.stress.iter_mut().chain(self.history.iter_mut().filter(|field| !field.is_empty()))
     }
@@ -271,7 +271,7 @@ impl<R: Copy + Default> Soil<R> {
 }
 
 impl<R: Copy + Into<f64>> Soil<R> {
-    /// The same fields in double precision.
+    /// These fields in double precision.
     #[must_use]
     pub fn to_f64(&self) -> Soil {
         Soil {
@@ -299,7 +299,7 @@ impl<R: Copy + Default> Nodes<R> {
 }
 
 impl<R: Copy + Into<f64>> Nodes<R> {
-    /// The same fields in double precision.
+    /// These fields in double precision.
     #[must_use]
     pub fn to_f64(&self) -> Nodes {
         Nodes {

@@ -210,7 +210,7 @@ fn stop_nodes<R: Precision>(model: &Model, cell_mass: &[R], nodes: &mut Nodes<R>
 pub(crate) struct Beyond<R> {
     /// Index in memory and volume of each cell [m³]; none for those that another block accounts for.
     cells: Vec<(usize, f64)>,
-    /// Its stress and history at rest: one list for each array, in the order of the cells.
+    /// Stress and history of the ground at rest: one list for each array, in the order of the cells.
     at_rest: Vec<Vec<R>>,
 }
 

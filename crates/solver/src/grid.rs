@@ -49,13 +49,13 @@ impl Grid {
         Self::padded(faces, LANES)
     }
 
-    /// The same with rows for vectors of `lanes` numbers, a multiple of [`LANES`].
+    /// A grid with these faces [m] and rows for vectors of `lanes` numbers, a multiple of [`LANES`].
     #[must_use]
     pub fn padded(faces: [Vec<f64>; 3], lanes: usize) -> Self {
         Self::with_open_faces(faces, [[false; 2]; 3], lanes)
     }
 
-    /// The same with ghost layers, as wide as the outermost cells, beyond the `open` faces: by axis at the low end and at the
+    /// A grid with these faces [m] and ghost layers, as wide as the outermost cells, beyond the `open` faces: by axis at the low end and at the
     /// high end.
     #[must_use]
     pub fn with_open_faces(faces: [Vec<f64>; 3], open: [[bool; 2]; 3], lanes: usize) -> Self {
@@ -66,7 +66,7 @@ impl Grid {
         Self::laid_out(whole, domain.clone(), domain, lanes)
     }
 
-    /// The same whose fine cells have another shape than cubes: widths along x, y, z over their smallest.
+    /// This grid, whose fine cells have another shape than cubes: widths along x, y, z over their smallest.
     #[must_use]
     pub fn with_aspect(self, aspect: DVec3) -> Self {
         let along = |axis: usize| finest_of(&self.whole[axis]) / aspect[axis];

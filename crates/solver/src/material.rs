@@ -36,7 +36,7 @@ pub struct DensityProfile {
     pub top: f64,
     /// Relative density there and above.
     pub at_top: f64,
-    /// Its growth per depth [1/m].
+    /// Growth of the density per depth [1/m].
     pub gradient: f64,
     /// Densities in the loosest and the densest state [kg/m³].
     pub limits: [f64; 2],

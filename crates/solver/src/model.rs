@@ -49,15 +49,15 @@ pub struct Model {
 /// What is fixed about a body.
 #[derive(Debug)]
 pub struct BodyModel {
-    /// Its name.
+    /// Name of the body.
     pub name: String,
-    /// Its shape.
+    /// Shape of the body.
     pub shape: Box<dyn Shape>,
     /// Pose at the start.
     pub start: Pose,
     /// Mass properties of the whole body.
     pub inertia: Inertia,
-    /// Its degrees of freedom: along x, y, z; yaw, tilt, spin (see [`mechanics::Body`]).
+    /// Degrees of freedom of the body: along x, y, z; yaw, tilt, spin (see [`mechanics::Body`]).
     pub motion: [Motion; 6],
     /// Coefficient of friction against the soil.
     pub friction: f64,
@@ -134,7 +134,7 @@ fn of_axle(axle: DVec3) -> DQuat {
 /// A bin of a body's rim: what lies between two points of its outline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RimBin {
-    /// Its middle: the mean of its samples.
+    /// Middle of the bin: the mean of its samples.
     pub middle: RimPoint,
     /// Area of the modelled portion of its surface [m²]; 0 outside the grid.
     pub area: f64,

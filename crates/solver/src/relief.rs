@@ -34,7 +34,7 @@ impl Relief {
         [low - half, high + half]
     }
 
-    /// The same everywhere [m].
+    /// Lowest and highest surface of the ground anywhere, over the level one [m].
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
         self.extremes([[f64::NEG_INFINITY, f64::INFINITY]; 2])
@@ -82,14 +82,14 @@ impl HeightField {
         (finite && fits && lines.iter().all(increase)).then_some(Self { lines, heights })
     }
 
-    /// Its ends along x (0) or y (1) [m].
+    /// Ends of the field along x (0) or y (1) [m].
     #[must_use]
     pub fn ends(&self, axis: usize) -> [f64; 2] {
         let lines = &self.lines[axis];
         [lines[0], lines[lines.len() - 1]]
     }
 
-    /// Its lowest and highest height [m].
+    /// Lowest and highest height of the field [m].
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
         self.extremes([[f64::NEG_INFINITY, f64::INFINITY]; 2])
@@ -179,7 +179,7 @@ pub struct Furrows {
     pub across: [f64; 2],
     /// Distance of a crest from x = y = 0 in this direction [m].
     pub offset: f64,
-    /// Their section.
+    /// Section of a furrow.
     pub shape: FurrowShape,
 }
 

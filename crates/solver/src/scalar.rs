@@ -9,7 +9,7 @@ use std::fmt::Debug;
 pub trait Scalar:
     Copy + Default + PartialOrd + Debug + Into<f64> + Send + Sync + Serialize + DeserializeOwned + 'static
 {
-    /// Its name in case files and reports.
+    /// Name of the precision in case files and reports.
     const NAME: &'static str;
     /// Numbers in the widest vector register.
     const LANES: usize;

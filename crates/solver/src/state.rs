@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 pub struct Body {
     /// Contact impulse of the soil on the body since the start.
     pub contact_impulse: ContactImpulse,
-    /// The same for each of its parts; empty where there is only one.
+    /// Contact impulse on each of the body's parts; empty where there is only one.
     pub parts: Vec<ContactImpulse>,
     /// Rotation about its axle since the start [rad], positive when it rolls forward.
     pub rotation: f64,
@@ -187,13 +187,13 @@ pub struct EnergyBalance {
     pub volume_start: f64,
     /// Volume of the VOF debris that remaps have removed [m³].
     pub debris_volume: f64,
-    /// Their mass [kg].
+    /// Mass of the VOF debris that remaps have removed [kg].
     pub debris_mass: f64,
     /// Elastic energy of the soil that entered through open boundaries, less that of what left.
     pub inflow_elastic: f64,
-    /// Its volume [m³].
+    /// Volume of the soil that entered through open boundaries, less that of what left [m³].
     pub inflow_volume: f64,
-    /// Its mass [kg].
+    /// Mass of the soil that entered through open boundaries, less that of what left [kg].
     pub inflow_mass: f64,
 }
 
@@ -260,7 +260,7 @@ impl<R: Copy + Default> State<R> {
         own
     }
 
-    /// The same bodies, contacts and energy balance in another block, which holds nothing yet.
+    /// These bodies, contacts and energy balance in another block, which holds nothing yet.
     #[must_use]
     pub fn without_soil(&self, block: &Grid) -> Self {
         Self {
@@ -273,7 +273,7 @@ impl<R: Copy + Default> State<R> {
         }
     }
 
-    /// The same bodies, contacts and energy balance, and arrays of soil and nodes without entries: those that are needed have one.
+    /// These bodies, contacts and energy balance, and arrays of soil and nodes without entries: those that are needed have one.
     #[must_use]
     pub fn without_fields(&self) -> Self {
         let mut own = self.without_soil(&Grid::new(std::array::from_fn(|_| vec![0.0, 1.0])));
@@ -290,7 +290,7 @@ impl<R: Copy + Default> State<R> {
 }
 
 impl<R: Copy + Into<f64>> State<R> {
-    /// The same state with fields in double precision.
+    /// This state with fields in double precision.
     #[must_use]
     pub fn to_f64(&self) -> State {
         State {

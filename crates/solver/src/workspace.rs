@@ -26,7 +26,7 @@ pub struct Workspace<R: Precision = f64> {
     pub(crate) seepage: SeepageWorkspace,
     /// Bodies and joints.
     pub(crate) mechanism: Mechanism,
-    /// The same during a step.
+    /// Bodies and joints during a step.
     pub(crate) bodies: Step,
     /// The ground beyond boundaries at constant stress.
     pub(crate) beyond: Beyond<R>,
@@ -48,7 +48,7 @@ impl<R: Precision> Workspace<R> {
         Self::of_block(model, state, threads, Halo::whole())
     }
 
-    /// The same for one block of a partitioned grid.
+    /// Scratch memory for one block of a partitioned grid.
     #[must_use]
     pub fn of_block(model: &Model, state: &mut State<R>, threads: usize, halo: Halo) -> Self {
         if state.step == 0 && !halo.is_alone() {
@@ -104,7 +104,7 @@ impl<R: Precision> Workspace<R> {
         bodies.for_each(|(body, now)| *now = body.taken_over(now));
     }
 
-    /// The same of a state in which they have taken over already.
+    /// Sets other motions of the model's bodies, of a state in which they have taken over already.
     pub fn set_motions(&mut self, model: &Model) {
         self.mechanism = model.mechanism();
     }

@@ -189,7 +189,7 @@ impl Parser<'_> {
 }
 
 impl Expression {
-    /// Its value; `known` gives that of a factor or a key.
+    /// Value of the expression; `known` gives that of a factor or a key.
     ///
     /// # Errors
     /// Which name is unknown, or which quantities do not go together.

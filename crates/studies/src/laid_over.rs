@@ -19,7 +19,7 @@ const PLOTS: [(PlotKind, Quantity, Quantity); 6] = [
     (PlotKind::AxleTorque, Quantity::Displacement, Quantity::Torque),
 ];
 
-/// The curves of a results folder or of a measured CSV file, as they are laid over the plots of all bodies of a report, and the record
+/// The curves of a results folder or of a measured CSV file, overlaid on the plots of all bodies of a report, and the record
 /// that they are from. `body` names the body of a run with several, and `choices` say what the columns of a measurement are, whose forces
 /// have the signs of those of the report's own run, in the folder `run`.
 ///

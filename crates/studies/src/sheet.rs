@@ -9,13 +9,13 @@ const TEMPLATE: &str = include_str!("../assets/sheet.html");
 /// A page.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Sheet {
-    /// Its title.
+    /// Title of the sheet.
     pub title: String,
     /// Facts at its head: name and text.
     pub facts: Vec<[String; 2]>,
     /// Warnings: what is the matter, and what to do.
     pub warnings: Vec<[String; 2]>,
-    /// Its sections.
+    /// Sections of the sheet.
     pub sections: Vec<SheetSection>,
     /// What stands at its foot.
     pub footer: String,
@@ -24,13 +24,13 @@ pub struct Sheet {
 /// A section.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct SheetSection {
-    /// Its title.
+    /// Title of the section.
     pub title: String,
     /// What is to be said of it; empty for nothing.
     pub note: String,
-    /// Its tables.
+    /// Tables of the section.
     pub tables: Vec<SheetTable>,
-    /// Its charts.
+    /// Charts of the section.
     pub figures: Vec<SheetFigure>,
 }
 

@@ -57,7 +57,7 @@ fn attitude([yaw, tilt]: [f64; 2]) -> Vec<String> {
     vec![format!("body.disc.yaw={yaw} deg"), format!("body.disc.tilt={tilt} deg")]
 }
 
-/// The same with everything turned by 90° about z: the disc, its tow (after this ramp), the box and the fine cells in it.
+/// Overrides of the case with everything turned by 90° about z: the disc, its tow (after this ramp), the box and the fine cells in it.
 fn turned([yaw, tilt]: [f64; 2], ramp: &str) -> Vec<String> {
     let mut sets = attitude([yaw + 90.0, tilt]);
     let whole = [

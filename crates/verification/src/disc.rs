@@ -45,7 +45,7 @@ fn tow(
     Ok((window.steady, simulation))
 }
 
-/// The same tow on a mesh of this many cells over the diameter: drag [N].
+/// The tow on a mesh of this many cells over the diameter: drag [N].
 pub(crate) fn drag_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyError> {
     let cell = format!("grid.cell={} m", DIAMETER / f64::from(cells));
     Ok(tow(runner, &format!("d/h = {cells}"), &[cell])?.0.drag.unwrap_or(f64::NAN))

@@ -156,7 +156,7 @@ pub fn page(findings: &Findings, expected: &[ExpectedFailure]) -> String {
 /// A picture of a benchmark.
 struct Picture {
     what: String,
-    /// Its path, relative to docs/.
+    /// Path of the picture, relative to docs/.
     path: String,
     svg: String,
 }

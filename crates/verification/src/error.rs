@@ -8,7 +8,7 @@ use solver::error::Breakdown;
 /// Why a benchmark produced no figure.
 #[derive(Debug, thiserror::Error)]
 pub enum VerifyError {
-    /// Its case cannot be run with these overrides.
+    /// The case of a benchmark cannot be run with these overrides.
     #[error("the case is refused: {0}")]
     Case(String),
     /// The physics failed.

@@ -39,7 +39,7 @@ pub struct Expectation {
 pub enum Target {
     /// A number, or none.
     Number(Expected),
-    /// The same quantity in another variant of the same verification.
+    /// The quantity of this name in another variant of the verification.
     SameAs(String),
 }
 

@@ -84,7 +84,7 @@ pub(crate) fn smooth_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyEr
     Ok(bearing(runner, &format!("B/h = {cells}"), cells, 0.0)?.0)
 }
 
-/// The same for B2.
+/// N_c of the rough strip footing B2 on a mesh of so many cells over its breadth.
 pub(crate) fn rough_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyError> {
     let strip = Strip { id: "B2", case: ROUGH, ..Strip::smooth(cells) };
     Ok(strip.bearing(runner, &format!("B/h = {cells}"))?.0)

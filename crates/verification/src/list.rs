@@ -13,9 +13,9 @@ use std::sync::LazyLock;
 
 /// One benchmark.
 pub struct Benchmark {
-    /// Its short name: "B1".
+    /// Short name of the benchmark: "B1".
     pub id: &'static str,
-    /// Its folder in `validation/`.
+    /// Folder of the benchmark in `validation/`.
     pub folder: &'static str,
     /// The file of what it expects.
     expected: &'static str,

@@ -65,13 +65,13 @@ impl Row {
         }
     }
 
-    /// The same figure beside what is expected of it.
+    /// This figure beside what is expected of it.
     #[must_use]
     pub(crate) fn expecting(self, expected: Expected, tolerance: Tolerance, source: &'static str) -> Self {
         Self { expected, tolerance, source: source.into(), ..self }
     }
 
-    /// The same figure with the wall-clock time of the runs behind it [s].
+    /// This figure with the wall-clock time of the runs behind it [s].
     #[must_use]
     pub fn took(self, seconds: f64) -> Self {
         Self { seconds, ..self }
@@ -158,7 +158,7 @@ impl Judgement {
 /// Rows for the tests of this crate.
 #[cfg(test)]
 impl Row {
-    /// The same figure, expected to be `value` within a fraction of it.
+    /// This figure, expected to be `value` within a fraction of it.
     #[must_use]
     pub fn within(self, value: f64, fraction: f64, source: &'static str) -> Self {
         Self {
@@ -169,7 +169,7 @@ impl Row {
         }
     }
 
-    /// The same figure, expected to be 0 within `limit`.
+    /// This figure, expected to be 0 within `limit`.
     #[must_use]
     pub fn at_most(self, limit: f64, source: &'static str) -> Self {
         Self {
@@ -180,7 +180,7 @@ impl Row {
         }
     }
 
-    /// The same figure, expected to be at least `value`.
+    /// This figure, expected to be at least `value`.
     #[must_use]
     pub fn at_least(self, value: f64, source: &'static str) -> Self {
         Self {
@@ -191,7 +191,7 @@ impl Row {
         }
     }
 
-    /// The same figure, expected to lie between two values, within a fraction of them.
+    /// This figure, expected to lie between two values, within a fraction of them.
     #[must_use]
     pub fn between(self, low: f64, high: f64, fraction: f64, source: &'static str) -> Self {
         Self {

@@ -61,7 +61,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// The same for the study of convergence.
+    /// This runner for the study of convergence.
     pub(crate) fn refining(self) -> Self {
         Self { suite: Suite::Refine, ..self }
     }
@@ -220,7 +220,7 @@ impl<'a> Runner<'a> {
         self.finish_watched(id, variant, simulation, |_| {})
     }
 
-    /// As [`Runner::finish`], with a callback at every sample.
+    /// Runs a simulation to its end, like [`Runner::finish`], with a callback at every sample.
     ///
     /// # Errors
     /// [`VerifyError::Physics`] when the physics fails.

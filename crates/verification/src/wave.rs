@@ -51,7 +51,7 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
 struct Bar {
     /// Cells over those of the coarse bar.
     refinement: usize,
-    /// Its axis.
+    /// Axis of the bar.
     axis: usize,
     /// Shape of the cells.
     aspect: DVec3,

@@ -85,7 +85,7 @@ impl From<RimPressure> for RimLoad {
 impl RimLoad {
     /// The lower envelope of two line loads σ · width [N/m]: the lower one at every point of the arc.
     ///
-    /// Their difference is a single sinusoid of θ, so they cross at most twice, at angles known in closed form.
+    /// The lower of two pressures along the rim. Their difference is a single sinusoid of θ, so they cross at most twice, at angles known in closed form.
     #[must_use]
     pub fn lower_envelope(first: RimPressure, second: RimPressure) -> Self {
         let end = first.angle;

@@ -37,7 +37,7 @@ pub struct Penetrometer {
     pub apex: f64,
     /// Diameter of its shaft [m].
     pub shaft: f64,
-    /// Its surface.
+    /// Surface of the penetrometer.
     pub surface: FacetedBody,
 }
 
@@ -54,7 +54,7 @@ impl Penetrometer {
 pub struct Pipe {
     /// Diameter d [m].
     pub diameter: f64,
-    /// Its length, or that of the slice of an infinitely long one [m].
+    /// Length of the pipe, or that of the slice of an infinitely long one [m].
     pub length: f64,
     /// Whether it is such a slice.
     pub plane_strain: bool,
@@ -74,7 +74,7 @@ pub enum Outline {
 /// A level plate that is pressed straight down.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plate {
-    /// Its outline.
+    /// Outline of the plate.
     pub outline: Outline,
     /// Width B of the base [m].
     pub width: f64,

@@ -58,11 +58,11 @@ impl Prediction {
 pub struct ModelForecast {
     /// The model.
     pub model: Candidate,
-    /// Its name.
+    /// Name of the model.
     pub name: &'static str,
     /// Whether the case lies within the limits of the model.
     pub applicable: bool,
-    /// Its prediction, if it has one, also outside its limits.
+    /// Prediction of the model, if it has one, also outside its limits.
     pub prediction: Option<Prediction>,
     /// Why it does not apply, or a caveat.
     pub note: String,

@@ -181,7 +181,7 @@ impl Towing {
         reference_force(self.soil.unit_weight, count * t, d)
     }
 
-    /// The same case with one parameter changed; the dilation angle is limited to the friction angle.
+    /// This case with one parameter changed; the dilation angle is limited to the friction angle.
     #[must_use]
     pub fn with(&self, parameter: Parameter, value: f64) -> Self {
         let mut case = self.clone();

@@ -98,7 +98,7 @@ mod tests {
         }
     }
 
-    /// The same problem solved along the similarity variable r/b: equilibrium and yield give the stresses of the plastic zone, the flow rule
+    /// The expansion of the cavity solved along the similarity variable r/b: equilibrium and yield give the stresses of the plastic zone, the flow rule
     /// with Hooke's law in rates the velocity, and the cavity is where the soil moves with its wall (Collins, Pender & Wang 1992).
     fn integrated(soil: &Soil, stiffness: &Stiffness, p: f64) -> f64 {
         let (phi, psi) = (soil.friction_angle, soil.dilation_angle);

@@ -31,7 +31,7 @@ impl Facet {
         }
     }
 
-    /// Its projection for a 2-D law applied in slices along the tow: area and normal in the x–z plane.
+    /// Projection of the facet for a 2-D law applied in slices along the tow: area and normal in the x–z plane.
     #[must_use]
     pub fn sliced(&self) -> Self {
         let [x, _, z] = self.normal;

@@ -38,11 +38,11 @@ impl Axle {
 pub struct Faceted<'a> {
     /// Facets of its surface.
     pub facets: &'a [Facet],
-    /// Its height [m].
+    /// Height of the body [m].
     pub height: f64,
     /// Depth of its lowest point below its origin [m].
     pub below: f64,
-    /// Its axle.
+    /// Axle of the body.
     pub axle: Axle,
 }
 

@@ -70,7 +70,7 @@ pub fn bekker_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> ModelRe
     Ok(RollingResistance { resistance: finite("the rolling resistance", resistance)?, sinkage })
 }
 
-/// The same at a given sinkage z [m]: the resistance, and the weight carried, W = (3−n)/3 (k_c + b k_φ) √d z^{n+½} [N].
+/// Bekker's wheel at a given sinkage z [m]: the resistance, and the weight carried, W = (3−n)/3 (k_c + b k_φ) √d z^{n+½} [N].
 ///
 /// # Errors
 /// If an input is out of range.

@@ -32,7 +32,7 @@ pub fn hetherington_littleton(
     })
 }
 
-/// The same at a given sinkage z [m]: R = W √(z/d), and the weight carried, W = ½ γ N_q b √d z^{3/2} [N].
+/// The wheel of Hetherington & Littleton at a given sinkage z [m]: R = W √(z/d), and the weight carried, W = ½ γ N_q b √d z^{3/2} [N].
 ///
 /// # Errors
 /// If an input is out of range (0 < z ≤ d/2).
@@ -48,7 +48,7 @@ pub fn hetherington_littleton_at_depth(
     Ok((RollingResistance { resistance: weight * (z / disc.diameter).sqrt(), sinkage: z }, weight))
 }
 
-/// The same with the surcharge pressure integrated along a shallow arc instead of the chord.
+/// Rolling resistance with the surcharge pressure integrated along a shallow arc instead of the chord.
 ///
 /// F_H = 0.858 (W⁴/(γ N_q t d²))^{1/3}, z = (3W/(2 γ N_q t √d))^{2/3}: the limit of model BC for N_γ → 0 and z ≪ d.
 ///

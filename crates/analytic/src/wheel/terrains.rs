@@ -7,7 +7,7 @@ use super::PressureSinkage;
 pub struct Terrain {
     /// Name as published.
     pub name: &'static str,
-    /// Its constants, SI.
+    /// Constants of the soil, SI.
     pub soil: PressureSinkage,
 }
 

@@ -63,7 +63,7 @@ pub fn wong_reece_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Mod
     Ok(WheelState { drag, vertical, sinkage, entry_angle, transition_angle, slip })
 }
 
-/// The same at a given sinkage [m]; the vertical force is the load that the soil carries there.
+/// The wheel of Wong & Reece at a given sinkage [m]; the vertical force is the load that the soil carries there.
 ///
 /// # Errors
 /// As [`wong_reece_towed`].

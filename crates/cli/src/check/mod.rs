@@ -90,7 +90,7 @@ pub fn check_text(case: &Case) -> String {
     described(case, &estimate::cost(case), None)
 }
 
-/// The same with warnings as one JSON document, that of `coulter check --json`.
+/// A case as understood, what it costs, and warnings as one JSON document, that of `coulter check --json`.
 #[must_use]
 pub fn check_document(case: &Case) -> serde_json::Value {
     let cost = estimate::cost(case);

@@ -18,7 +18,7 @@ use std::path::PathBuf;
 pub struct RunRequest {
     /// The text of the case file.
     pub text: String,
-    /// Its path, as it was given.
+    /// Path of the case, as it was given.
     pub source_name: String,
     /// Keys that are set, such as `soil.friction_angle=38 deg`.
     pub overrides: Vec<String>,
@@ -108,7 +108,7 @@ fn cost(case: &Case, coarser: &[CoarserMesh], plan: Option<&VariationPlan>) -> C
 }
 
 impl PreparedRun {
-    /// Runs the case to its end, or until `interrupts` ask to stop; `follower` is told of every sample of a case that is run without
+    /// Runs the case to its end, or until `interrupts` ask to stop; `follower` gets every sample of a case that is run without
     /// others beside it, and may stop it. The summary may be that of a broken run: see [`graded`].
     ///
     /// # Errors

@@ -27,7 +27,7 @@ pub struct SweepRequest {
 /// A study that has been run and collected.
 #[derive(Clone, Debug)]
 pub struct SweptStudy {
-    /// Its folder.
+    /// Folder of the study.
     pub folder: PathBuf,
     /// What has become of its cases.
     pub counts: Counts,

@@ -42,13 +42,13 @@ impl Hinge {
         }
     }
 
-    /// The same with friction in its bearing: a torque [N m] against the relative rotation, whatever the load and the rate.
+    /// This hinge with friction in its bearing: a torque [N m] against the relative rotation, whatever the load and the rate.
     #[must_use]
     pub fn with_friction(self, torque: f64) -> Self {
         Self { friction: torque, ..self }
     }
 
-    /// The same with a drive, or a brake: a constant torque [N m] of the first body on the second about the axis.
+    /// This hinge with a drive, or a brake: a constant torque [N m] of the first body on the second about the axis.
     #[must_use]
     pub fn with_drive(self, torque: f64) -> Self {
         Self { drive: torque, ..self }

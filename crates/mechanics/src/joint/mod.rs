@@ -27,7 +27,7 @@ pub trait Joint: Debug + Send + Sync {
     /// The bodies it connects, by number; `None` for the ground.
     fn bodies(&self) -> [Option<usize>; 2];
 
-    /// Its conditions on the velocities of a step of `dt` [s], from the attitudes of both bodies.
+    /// Conditions of the joint on the velocities of a step of `dt` [s], from the attitudes of both bodies.
     fn rows(&self, bodies: [&Configuration; 2], dt: f64) -> Rows;
 
     /// Energy that it stores [J], from the attitudes of both bodies at the start of a step.

@@ -11,7 +11,7 @@ use glam::DVec3;
 pub struct Spring {
     /// The bodies, by number; `None` for the ground.
     pub bodies: [Option<usize>; 2],
-    /// Its ends in the axes of each body, from its reference point [m]; of the ground, in space.
+    /// Ends of the spring in the axes of each body, from its reference point [m]; of the ground, in space.
     pub points: [DVec3; 2],
     /// Force per extension [N/m].
     pub stiffness: f64,
@@ -32,7 +32,7 @@ impl Spring {
         Self { bodies, points, stiffness, damping: 0.0, length, is_cable: false }
     }
 
-    /// Its extension where its ends are this far apart [m]; 0 for a slack cable.
+    /// Extension [m] of the spring where its ends are this far apart [m]; 0 for a slack cable.
     fn extension(&self, distance: f64) -> f64 {
         let extension = distance - self.length;
         if self.is_cable { extension.max(0.0) } else { extension }

@@ -12,7 +12,7 @@ const SHARED_FACE: f64 = 1e-9;
 /// A solid in the frame of the body that it is a part of.
 #[derive(Clone, Debug)]
 pub struct Placed {
-    /// Its shape in a frame of its own.
+    /// Shape of the part in a frame of its own.
     pub shape: Arc<dyn Shape>,
     /// Origin of that frame in the body frame [m].
     pub position: DVec3,
@@ -26,7 +26,7 @@ struct Bounded {
     solid: Placed,
     /// Centre of the sphere in the body frame [m].
     centre: DVec3,
-    /// Its radius [m].
+    /// Radius of the sphere round the part [m].
     radius: f64,
 }
 

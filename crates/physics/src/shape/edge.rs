@@ -158,13 +158,13 @@ impl Edge {
         0.5 * length / pieces as f64 * (0..pieces).map(piece).sum::<f64>()
     }
 
-    /// Its first half.
+    /// First half of the edge.
     pub(super) fn first_half(&self) -> Self {
         let arc = self.arc.map(|arc| Arc { turn: 0.5 * arc.turn, ..arc });
         Self { from: self.from, to: self.at(0.5), arc }
     }
 
-    /// Its image in v = 0, traversed backwards.
+    /// Image of the edge in v = 0, traversed backwards.
     pub(super) fn mirrored(&self) -> Self {
         let flip = |x: DVec2| DVec2::new(x.x, -x.y);
         let ends = [flip(self.to), flip(self.from)];

@@ -42,7 +42,7 @@ impl MassProperties {
         Self { volume, centroid, inertia: DMat3::IDENTITY * trace - second }
     }
 
-    /// The same of the solid rotated about the origin.
+    /// Mass properties of the solid rotated about the origin.
     pub(super) fn rotated(&self, rotation: DMat3) -> Self {
         Self {
             volume: self.volume,
@@ -51,7 +51,7 @@ impl MassProperties {
         }
     }
 
-    /// The same of the solid moved [m].
+    /// Mass properties of the solid moved [m].
     pub(super) fn moved(&self, by: DVec3) -> Self {
         Self { centroid: self.centroid + by, ..*self }
     }

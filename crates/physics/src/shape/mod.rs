@@ -74,7 +74,7 @@ fn divisions(length: f64, spacing: f64) -> f64 {
     (length / spacing * (1.0 - 1e-9)).ceil().max(1.0)
 }
 
-/// The same, but an even number: points on a middle plane, where two cells may meet, would be assigned to one of them.
+/// Divisions of a length into parts of at most this spacing, an even number: points on a middle plane, where two cells may meet, would be assigned to one of them.
 fn even_divisions(length: f64, spacing: f64) -> f64 {
     2.0 * divisions(0.5 * length, spacing)
 }
@@ -140,7 +140,7 @@ fn paired(points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
     ordered
 }
 
-/// The same about the plane y = `middle` [m], for points that are mirror images up to round-off.
+/// Pairs points about the plane y = `middle` [m], for points that are mirror images up to round-off.
 fn paired_about(points: Vec<SurfacePoint>, middle: f64) -> Vec<SurfacePoint> {
     const ROUND_OFF: f64 = 1e-9;
     let size = points.iter().map(|p| p.position.length()).fold(0.0, f64::max);

@@ -82,7 +82,7 @@ pub fn disc(diameter: f64, thickness: f64, rim: DiscRim, dish: Option<Dish>) -> 
     }
 }
 
-/// The same rim with the faces exchanged.
+/// A rim with the faces exchanged.
 fn turned_over(rim: DiscRim) -> DiscRim {
     match rim {
         DiscRim::Bevelled { angle, edge, bevel } => {
@@ -210,7 +210,7 @@ pub struct Grousers {
     pub number: u32,
     /// How far they stand out from the rim [m].
     pub height: f64,
-    /// Their thickness along the rim [m].
+    /// Thickness of a grouser along the rim [m].
     pub thickness: f64,
 }
 

@@ -56,7 +56,7 @@ impl Polyhedron {
         Self { parts: Arc::new(parts) }
     }
 
-    /// Its surface.
+    /// Surface of the solid.
     #[must_use]
     pub fn surface(&self) -> &Mesh {
         &self.parts.surface

@@ -83,7 +83,7 @@ impl Profile {
         self
     }
 
-    /// Its image in v = 0.
+    /// Image of the outline in v = 0.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let begin = self.end();
@@ -92,7 +92,7 @@ impl Profile {
         image
     }
 
-    /// Its edges, in order.
+    /// Edges of the outline, in order.
     pub(super) fn edges(&self) -> &[Edge] {
         &self.edges
     }

@@ -142,7 +142,7 @@ struct Polygon {
     points: Vec<DVec2>,
     /// Distance of each from the first along the outline [m].
     along: Vec<f64>,
-    /// The same of the point straight below the origin, or of the lowest one where there is none [m].
+    /// Distance along the outline of the point straight below the origin, or of the lowest one where there is none [m].
     below: f64,
     length: f64,
 }

@@ -47,7 +47,7 @@ pub(super) fn sample(
     sample_as_planned(mesh, distance, &plan, spacing, inset)
 }
 
-/// The same of a surface that has been looked at before.
+/// Contact points of a surface that has been looked at before.
 pub(super) fn sample_as_planned(
     mesh: &Mesh,
     distance: impl Fn(DVec3) -> f64,
@@ -291,7 +291,7 @@ struct Edges<'a> {
     width: f64,
     /// Numbers of the edges of a facet in each bucket.
     within: HashMap<Bucket, Vec<u32>>,
-    /// The same of a bucket and the ones next to it, of those that were asked for; the last of them.
+    /// Place in `lists` of the edges in a bucket and the ones next to it, of those that were asked for; the last of them.
     near: HashMap<Bucket, usize>,
     lists: Vec<Vec<u32>>,
     last: Option<(Bucket, usize)>,

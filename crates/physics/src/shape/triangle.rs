@@ -9,7 +9,7 @@ pub(super) enum Feature {
     Corner(u8),
     /// The edge from this corner to the next.
     Edge(u8),
-    /// Its inside.
+    /// The inside of the triangle.
     Face,
 }
 

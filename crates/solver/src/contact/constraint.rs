@@ -19,11 +19,11 @@ use rustc_hash::FxHashMap;
 /// A constraint in one step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Constraint {
-    /// Its first contact point that is active, if there is one.
+    /// The constraint's first contact point that is active, if there is one.
     pub(super) first: Option<usize>,
     /// Mean Jacobian of its active points.
     pub(super) jacobian: ContactJacobian,
-    /// Their area [m²].
+    /// Area of the constraint's contact points [m²].
     pub(super) area: f64,
     /// Impulse on the soil in this step [N s].
     pub(super) impulse: DVec3,

@@ -29,7 +29,7 @@ const WHOLE: f64 = 0.75;
 pub(super) struct CellSurface {
     /// Area that its contact points represent [m²].
     sampled: f64,
-    /// Its area [m²].
+    /// Area of the surface in the cell [m²].
     area: f64,
 }
 

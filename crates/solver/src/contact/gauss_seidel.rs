@@ -73,7 +73,7 @@ struct SweptNode {
 /// A constraint during the sweeps.
 #[derive(Clone, Debug)]
 struct SweptConstraint {
-    /// Its number.
+    /// Number of the constraint.
     number: usize,
     /// Place of the body in the island.
     body: usize,

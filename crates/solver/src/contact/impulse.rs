@@ -40,7 +40,7 @@ const SWEEPS: usize = 4;
 /// Separation threshold: an active point of a curved or inclined face opens when the volume fractions show a
 /// gap of this many cells. With a larger one a rolling wheel opens a void under itself and climbs on it.
 const SEPARATION: f64 = 0.05;
-/// The same on a face that is aligned with the grid. The edges of a sliding face cut cells, in which volume
+/// Separation threshold [cells] on a face that is aligned with the grid. The edges of a sliding face cut cells, in which volume
 /// fractions are a poor measure of the gap: with the smaller threshold the force on a sliding footing is 7 %
 /// too low.
 const SEPARATION_FLAT: f64 = 0.5;

@@ -6,9 +6,9 @@ use glam::DVec3;
 /// Where a point of a surface lies in the grid.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// Its cell, in the block.
+    /// The cell of the point, in the block.
     pub(super) cell: [usize; 3],
-    /// The same in the whole grid.
+    /// The cell of the point, in the whole grid.
     pub(super) whole: [usize; 3],
     /// The point, moved by round-off into its cell [m].
     pub(super) probe: DVec3,

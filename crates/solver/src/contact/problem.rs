@@ -21,7 +21,7 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) bodies: &'a mut [Body],
     /// Velocities of the contact nodes [m/s].
     pub(crate) velocity: &'a mut [DVec3],
-    /// Their inverse masses along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
+    /// Inverse masses of the nodes along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
     pub(crate) inverse_mass: &'a [DVec3],
     /// For each contact point the indices of its cell's nodes among the contact nodes.
     pub(crate) corner_nodes: &'a [[u32; 8]],

@@ -20,9 +20,9 @@ pub(super) struct Slipping<'a> {
     pub(super) contact: &'a Contact,
     /// The area that it represents over that round it.
     pub(super) share: f64,
-    /// Its impulses on the soil, normal and frictional [N s].
+    /// The point's impulses on the soil, normal and frictional [N s].
     pub(super) impulses: &'a [DVec3; 2],
-    /// Its slip velocity [m/s].
+    /// The point's slip velocity [m/s].
     pub(super) slip: DVec3,
     /// Direction of its body's axle.
     pub(super) axle: DVec3,

@@ -35,9 +35,9 @@ pub(crate) struct ContactWorkspace {
     pub(crate) nodes: Vec<ContactNode>,
     /// The blocks that own them.
     pub(crate) owners: Owners,
-    /// Their velocities during a step; once slip is accounted for, the sums of those before and after it [m/s].
+    /// Velocities of the nodes during a step; once slip is accounted for, the sums of those before and after it [m/s].
     pub(crate) velocity: Vec<DVec3>,
-    /// Their inverse masses along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
+    /// Inverse masses of the nodes along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
     pub(crate) inverse_mass: Vec<DVec3>,
     /// For each contact point the indices of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,

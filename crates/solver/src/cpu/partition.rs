@@ -96,7 +96,7 @@ impl RowPartition {
         self.split_by(if array.is_empty() { 0 } else { self.stride }, array)
     }
 
-    /// The same for an array that has `stride` entries for each row.
+    /// The portions of an array that has `stride` entries for each row.
     pub(crate) fn split_by<'a, T>(
         &'a self,
         stride: usize,

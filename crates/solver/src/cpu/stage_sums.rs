@@ -24,7 +24,7 @@ pub(crate) struct RowSums {
     pub kinetic: f64,
     /// Largest component of a nodal displacement since the last remap, each divided by the aspect of the cells [m].
     pub displacement: f64,
-    /// The same for light nodes, next to only a few grains of soil [m].
+    /// Largest component of the displacement of light nodes, next to only a few grains of soil [m].
     pub displacement_light: f64,
     /// Number of cells whose stress was returned to the yield surface.
     pub yields: u32,

@@ -129,7 +129,7 @@ impl Team {
         });
     }
 
-    /// The same for the items of an iterator.
+    /// Runs `job`, like [`Team::for_each`], on the items of an iterator.
     pub fn distribute<T: Send>(&self, items: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
         self.for_each(&mut team_items(items), job);
     }
@@ -195,7 +195,7 @@ impl<'a> Crew<'a> {
         self.team.distribute(each, |(n, portion)| job(*n * size, portion));
     }
 
-    /// The same for two lists of the same length.
+    /// Calls `job(first, portion, portion)` on successive portions of two lists of equal length, in parallel, like [`Crew::portions`].
     pub(crate) fn portions2<A: Send, B: Send>(
         self,
         first: &mut [A],

@@ -78,7 +78,7 @@ pub(crate) struct PortionScratch<R: Scalar> {
     pub(crate) first: Coefficients<R>,
     /// Force and damping (four rows for each row of nodes) exerted on a plane of nodes by the cells below it.
     pub(crate) below: Vec<R>,
-    /// The same, row by row, for the portion's first nodes that wait for cells of another one; those of the
+    /// Force and damping, row by row, of the portion's first nodes that wait for cells of another one; those of the
     /// first portion do not.
     pub(crate) waiting: Vec<R>,
     /// Row buffers of the nodes.

@@ -15,7 +15,7 @@ pub struct Decomposition {
 /// A block that touches another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Neighbour {
-    /// Its number.
+    /// Number of the neighbour's process.
     pub rank: usize,
     /// Where it lies along y and z: −1 at the low end, 1 at the high end, 0 in the same layers.
     pub side: [i32; 2],

@@ -191,7 +191,7 @@ impl Halo {
         self.beyond[axis - 1]
     }
 
-    /// The same communicator, for a grid that is cut anew.
+    /// This communicator for a grid that is cut anew.
     ///
     /// # Panics
     /// If there are not as many processes as blocks.
@@ -339,7 +339,7 @@ impl Line {
         outcome
     }
 
-    /// The same for an operation of all processes, into which so many bytes go.
+    /// Communicates, like [`Line::timed`], in an operation of all processes, into which so many bytes go.
     fn collectively<T>(&mut self, bytes: usize, communicate: impl FnOnce(&mut dyn Communicator) -> T) -> T {
         self.traffic.collectives += 1;
         self.traffic.collective_bytes += bytes as u64;

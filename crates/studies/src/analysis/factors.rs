@@ -6,11 +6,11 @@ use std::collections::BTreeSet;
 /// A factor that varies.
 #[derive(Clone, Debug)]
 pub(super) struct VariedFactor<'a> {
-    /// Its column.
+    /// Column of the factor.
     pub(super) column: &'a Column,
-    /// Its words in the order of the alphabet; empty for a factor of numbers.
+    /// Words of the factor in the order of the alphabet; empty for a factor of numbers.
     pub(super) words: Vec<String>,
-    /// Its value in each row: the number, or that of the word from 0 on.
+    /// Value of the factor in each row: the number, or that of the word from 0 on.
     pub(super) numbers: Vec<Option<f64>>,
 }
 

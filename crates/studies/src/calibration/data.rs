@@ -9,7 +9,7 @@ use coulter::history::blocks::{block_averages, standard_error};
 pub struct MeasuredCurve {
     /// Which measurement it is from.
     pub record: usize,
-    /// Its name, for people.
+    /// Name of the curve, for people.
     pub name: String,
     /// What was measured.
     pub quantity: Quantity,
@@ -19,7 +19,7 @@ pub struct MeasuredCurve {
     pub at: Vec<f64>,
     /// Values [SI].
     pub values: Vec<f64>,
-    /// Their standard deviations [SI], where they are known.
+    /// Standard deviations of the values [SI], where they are known.
     pub deviations: Option<Vec<f64>>,
     /// Whether residuals are those of logarithms: of values that are all positive.
     pub is_logarithmic: bool,

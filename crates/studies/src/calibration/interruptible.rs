@@ -3,7 +3,7 @@
 use super::likelihood::{Response, Seen};
 use coulter::interrupts::Interrupts;
 
-/// A response that has no value anywhere once a stop is requested: fits and samplers then come to their end at once.
+/// A response that has no value anywhere once a stop is requested: fits and samplers then finish at once.
 pub(super) struct Interruptible<'a> {
     /// The response.
     pub(super) response: &'a dyn Response,

@@ -11,7 +11,7 @@ use numerics::symmetric::{Cholesky, Square, dot};
 /// What a model says of all points, as residuals see it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Seen {
-    /// Its values.
+    /// Values at the points of all curves.
     pub values: Vec<f64>,
     /// Errors that points have in common: each a list of standard deviations, one for each point.
     pub shared: Vec<Vec<f64>>,

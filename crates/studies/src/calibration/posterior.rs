@@ -7,11 +7,11 @@ use numerics::quantile_of_sorted;
 /// One unknown afterwards, in its unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marginal {
-    /// Its name.
+    /// Name of the unknown.
     pub name: String,
-    /// Its unit.
+    /// Unit of the unknown.
     pub unit: String,
-    /// Its prior, as it may be typed.
+    /// Prior of the unknown, as it may be typed.
     pub prior: String,
     /// The most likely value, together with the others.
     pub best: f64,

@@ -58,7 +58,7 @@ pub enum SolverError {
 pub struct Solver<'a> {
     /// The case file.
     pub case: &'a Path,
-    /// Its keys that are set besides the unknowns.
+    /// Keys of the case that are set besides the unknowns.
     pub overrides: &'a [String],
     /// The unknowns.
     pub space: &'a Space,

@@ -8,11 +8,11 @@ use std::ops::Range;
 /// An unknown: a key of the case, or a free name that links use.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unknown {
-    /// Its name: `soil.friction_angle`, or a free one such as `e_max`.
+    /// Name of the unknown: `soil.friction_angle`, or a free one such as `e_max`.
     pub name: String,
-    /// Its unit, as typed; empty for a plain number.
+    /// Unit of the unknown, as typed; empty for a plain number.
     pub unit: String,
-    /// Its prior.
+    /// Prior of the unknown.
     pub prior: Prior,
 }
 
@@ -29,9 +29,9 @@ impl Unknown {
 pub struct Link {
     /// The key.
     pub key: String,
-    /// Its unit; empty for a plain number.
+    /// Unit of the key; empty for a plain number.
     pub unit: String,
-    /// Its value in that unit.
+    /// Value of the key in that unit.
     pub expression: Expression,
     /// The expression as typed.
     pub text: String,

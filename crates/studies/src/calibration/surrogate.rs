@@ -27,9 +27,9 @@ pub struct Surrogate {
 
 #[derive(Clone, Debug)]
 struct Component {
-    /// Its direction: one number for each point.
+    /// Direction of the component: one number for each point.
     direction: Vec<f64>,
-    /// Its amount over the unknowns.
+    /// Amount of the component over the unknowns.
     process: GaussianProcess,
     /// Factor on the error that the process states: that of points left out over what it states of them, at least 1.
     inflation: f64,

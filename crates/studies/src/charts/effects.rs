@@ -12,7 +12,7 @@ use coulter::output::plots::{Bar, BarGroup, Bars, Chart, Curve, Stroke};
 pub struct FactorEffect<'a> {
     /// The factor.
     pub factor: &'a Column,
-    /// Its words, in the order of their numbers from 0 on; empty for a factor of numbers.
+    /// Words of the factor, in the order of their numbers from 0 on; empty for a factor of numbers.
     pub words: &'a [String],
     /// Mean response by level.
     pub levels: Vec<LevelMean>,

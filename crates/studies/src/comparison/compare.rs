@@ -31,15 +31,15 @@ pub struct Compared {
     pub item: usize,
     /// What is compared.
     pub quantity: Quantity,
-    /// Its whole curve, moved with the shift.
+    /// Whole curve of the item, moved with the shift.
     pub curve: Vec<[f64; 2]>,
     /// The curves at common abscissae; `None` where they share none.
     pub aligned: Option<Aligned>,
-    /// Their differences.
+    /// Differences to the reference.
     pub differences: Option<Differences>,
     /// Points of the reference at which a model says nothing.
     pub left_out: Vec<LeftOut>,
-    /// Its steady mean.
+    /// Steady mean of the item.
     pub mean: Option<SteadyMean>,
     /// Whether this and that of the reference have a value in common within their 90 % intervals; `None` where neither has one.
     pub overlaps: Option<bool>,

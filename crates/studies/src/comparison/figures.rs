@@ -7,7 +7,7 @@ use super::align::Aligned;
 pub struct Peak {
     /// The value, with its sign [SI].
     pub value: f64,
-    /// Its place along the abscissa [SI].
+    /// Place of the peak along the abscissa [SI].
     pub at: f64,
 }
 
@@ -22,7 +22,7 @@ pub struct Differences {
     pub bias: f64,
     /// Root of the mean square of the differences [SI].
     pub rms: f64,
-    /// The same over the mean magnitude of the reference; `None` where that is 0.
+    /// Root-mean-square difference over the mean magnitude of the reference; `None` where that is 0.
     pub relative: Option<f64>,
     /// Correlation; `None` where a curve is constant.
     pub correlation: Option<f64>,

@@ -25,7 +25,7 @@ pub enum ItemKind {
 }
 
 impl ItemKind {
-    /// Its name.
+    /// Name of the kind.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -40,11 +40,11 @@ impl ItemKind {
 /// One of the things compared.
 #[derive(Clone, Debug)]
 pub struct Item {
-    /// Its name: the path as typed, and the model of a closed form.
+    /// Name of the item: the path as typed, and the model of a closed form.
     pub name: String,
     /// What it is.
     pub kind: ItemKind,
-    /// Its curves; empty of a forecast and a closed form.
+    /// Curves of the item; empty of a forecast and a closed form.
     pub record: Record,
     /// Steady means that it states itself.
     pub means: Vec<(Quantity, SteadyMean)>,
@@ -212,7 +212,7 @@ impl Item {
         Ok(())
     }
 
-    /// Its curve of a quantity along an abscissa, rising; of a model at the points of the reference where it applies, with the others.
+    /// Curve of a quantity along an abscissa, rising; of a model at the points of the reference where it applies, with the others.
     #[must_use]
     pub fn curve(&self, quantity: Quantity, abscissa: Quantity, reference: (&Record, &[[f64; 2]])) -> Told {
         if let Some(model) = &self.model {

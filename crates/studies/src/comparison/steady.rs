@@ -13,7 +13,7 @@ pub struct SteadyMean {
 }
 
 impl SteadyMean {
-    /// Its interval; the mean alone where that is not known.
+    /// Interval of the mean; the mean alone where that is not known.
     #[must_use]
     pub fn interval(&self) -> [f64; 2] {
         let half = self.half.unwrap_or(0.0);

@@ -18,7 +18,7 @@ pub struct ColumnChoice {
 pub(super) struct ChosenMeaning {
     pub(super) quantity: Quantity,
     pub(super) is_deviation: bool,
-    /// Its unit, where it is not that of the header.
+    /// Unit of the column, where it is not that of the header.
     pub(super) unit: Option<String>,
     /// −1 of a column that counts the other way.
     pub(super) sign: f64,

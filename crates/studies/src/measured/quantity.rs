@@ -34,9 +34,9 @@ pub enum Quantity {
     Spin,
     /// Moment of the soil about the x axis of space through the reference point [N m].
     MomentX,
-    /// The same about y [N m].
+    /// Moment about y [N m].
     MomentY,
-    /// The same about z [N m].
+    /// Moment about z [N m].
     MomentZ,
 }
 
@@ -179,7 +179,7 @@ impl Quantity {
         ALL.iter().flat_map(|entry| entry.names.iter().copied())
     }
 
-    /// Its names and aliases.
+    /// Names and aliases of the quantity.
     #[must_use]
     pub fn aliases(self) -> &'static [&'static str] {
         self.entry().names
@@ -190,19 +190,19 @@ impl Quantity {
         &ALL[self as usize]
     }
 
-    /// Its name in files, such as `drag`.
+    /// Name of the quantity in files, such as `drag`.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.entry().names[0]
     }
 
-    /// Its SI unit, such as `N`.
+    /// SI unit of the quantity, such as `N`.
     #[must_use]
     pub fn unit(self) -> &'static str {
         self.entry().unit
     }
 
-    /// Its name in charts, such as `drag F_H`.
+    /// Name of the quantity in charts, such as `drag F_H`.
     #[must_use]
     pub fn label(self) -> &'static str {
         self.entry().label

@@ -33,7 +33,7 @@ pub fn read(path: &Path, choices: &[ColumnChoice]) -> Result<Record, CaseError> 
     record(TableFile::new(text), &name, choices)
 }
 
-/// As [`read`], from the text of the file; `name` is what to call it in messages.
+/// Reads measurements, like [`read`], from the text of the file; `name` is what to call it in messages.
 ///
 /// # Errors
 /// As [`read`].

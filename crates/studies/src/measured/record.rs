@@ -9,7 +9,7 @@ use coulter::history::reference::Reference;
 pub enum Group {
     /// The reference length d of the body.
     Length,
-    /// Its reference force γ t d².
+    /// Reference force γ t d².
     Force,
 }
 
@@ -18,9 +18,9 @@ pub enum Group {
 pub struct Channel {
     /// What it is.
     pub quantity: Quantity,
-    /// Its values, in SI units.
+    /// Values of the channel, in SI units.
     pub values: Vec<f64>,
-    /// Their standard deviations, in the same unit, where they are known.
+    /// Standard deviations of the values, in the same unit, where they are known.
     pub deviations: Option<Vec<f64>>,
     /// What its values are parts of, of a dimensionless column that was not scaled yet.
     pub group: Option<Group>,
@@ -35,7 +35,7 @@ pub struct Channel {
 pub struct Record {
     /// What to call it: the path of a file or a folder.
     pub name: String,
-    /// Its columns.
+    /// Columns of the record.
     pub channels: Vec<Channel>,
     /// Keys of the case that hold for this measurement alone, such as `body.plate.diameter=50 mm`.
     pub settings: Vec<String>,
@@ -120,7 +120,7 @@ impl Record {
         Ok(())
     }
 
-    /// Its remarks, each with the name of the file.
+    /// Remarks on the record, each with the name of the file.
     pub fn named_remarks(&self) -> impl Iterator<Item = String> + '_ {
         self.remarks.iter().map(|remark| format!("{}: {remark}", self.name))
     }

@@ -9,11 +9,11 @@ const NAMED: usize = 12;
 /// Rows that are not used for the same reason.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Gap {
-    /// Their state, such as `failed`.
+    /// State of the cases, such as `failed`.
     pub state: String,
     /// The reason; empty where none is given.
     pub reason: String,
-    /// Their number.
+    /// Number of the cases.
     pub count: usize,
     /// Which they are, by the keys of the table: `point 3, point 7 and 12 more`.
     pub which: String,

@@ -48,7 +48,7 @@ const JUDGED: usize = 240;
 /// The closed forms of a case, of which one is chosen at the points that are asked for.
 #[derive(Clone, Debug)]
 pub struct ClosedForms {
-    /// Their input.
+    /// Input of the models.
     pub input: ModelInput,
     wanted: Option<Candidate>,
 }
@@ -126,12 +126,12 @@ fn reason(trials: &[Towing]) -> String {
 pub struct ClosedForm {
     /// The model.
     pub candidate: Candidate,
-    /// Its input.
+    /// Input of the model.
     pub input: ModelInput,
 }
 
 impl ClosedForm {
-    /// The same model for another case: other values of keys.
+    /// This model for another case: other values of keys.
     ///
     /// # Errors
     /// Why there is none, in words.
@@ -187,7 +187,7 @@ impl ClosedForm {
     }
 }
 
-/// As [`ClosedForm::values`], of an input.
+/// Values of a model, like [`ClosedForm::values`], for an input.
 fn values(
     towing: &Towing,
     candidate: Candidate,

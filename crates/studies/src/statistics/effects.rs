@@ -15,7 +15,7 @@ pub struct LevelMean {
     pub level: f64,
     /// The mean of the response, in its unit.
     pub mean: f64,
-    /// Its standard error s/√n, in the unit of the response; `None` with a single point.
+    /// Standard error s/√n of the mean, in the unit of the response; `None` with a single point.
     pub error: Option<f64>,
     /// Number of points.
     pub points: usize,

@@ -58,7 +58,7 @@ pub enum StatisticsError {
         "the surrogate does not predict: Q² = {predictivity:.2}, at least {least:.2} is needed; add points, or vary fewer factors"
     )]
     NotPredictive {
-        /// Its predictivity Q² [–].
+        /// Predictivity of the surrogate Q² [–].
         predictivity: f64,
         /// The least that is accepted [–].
         least: f64,

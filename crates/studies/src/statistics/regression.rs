@@ -31,7 +31,7 @@ pub fn linear_regression(inputs: &[Vec<f64>], values: &[f64]) -> Result<Regressi
     regression(columns, values.to_vec())
 }
 
-/// The same of the ranks of inputs and values: for responses that rise or fall throughout, but not along a line. Equal numbers share the
+/// The regression of the ranks of `values` on those of `inputs`: for responses that rise or fall throughout, but not along a line. Equal numbers share the
 /// mean of their ranks.
 ///
 /// # Errors

@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-20;
 /// An index with its interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Index {
-    /// Its estimate [–].
+    /// Estimate of the index [–].
     pub value: f64,
     /// Lower and upper end of its 90 % interval [–].
     pub interval: [f64; 2],

@@ -19,7 +19,7 @@ pub struct Level {
 pub struct Unit {
     /// As typed: `deg`; `-` for plain numbers.
     pub symbol: String,
-    /// Its size in SI units, and what it measures; `None` for a unit that depends on another key, such as kN/m^(n+1).
+    /// Size of the unit in SI units, and what it measures; `None` for a unit that depends on another key, such as kN/m^(n+1).
     pub size: Option<(f64, Dimension)>,
 }
 
@@ -44,17 +44,17 @@ impl Unit {
 /// A factor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Factor {
-    /// Its name, that of its column.
+    /// Name of the factor, that of its column.
     pub name: String,
     /// The key of the case; `None` for one that is used in formulas only.
     pub key: Option<String>,
-    /// Its name in charts.
+    /// Name of the factor in charts.
     pub label: String,
     /// The unit of its numbers; `None` for words.
     pub unit: Option<Unit>,
-    /// Its levels.
+    /// Levels of the factor.
     pub levels: Vec<Level>,
-    /// Its range in its unit; `None` for words.
+    /// Range of the factor in its unit; `None` for words.
     pub range: Option<[f64; 2]>,
     /// Whether levels and points are spread over the range by their logarithms.
     pub logarithmic: bool,
@@ -151,7 +151,7 @@ impl Factor {
         Some(number.clamp(low.min(high), low.max(high)))
     }
 
-    /// Its level at a value of its key; of another unit or dimension than its own there is none.
+    /// Level of the factor at a value of its key; of another unit or dimension than its own there is none.
     pub(super) fn own_level(&self, value: &Value) -> Option<Level> {
         let Some(unit) = self.unit.as_ref() else { return Some(Self::level_of(value, None)) };
         let (own, numbers) = numbers_of(std::slice::from_ref(value))?;

@@ -6,7 +6,7 @@ use crate::expression::Expression;
 /// A study.
 #[derive(Clone, Debug)]
 pub struct Study {
-    /// Its name, that of its file.
+    /// Name of the study, that of its file.
     pub name: String,
     /// Heading of its page.
     pub title: String,
@@ -31,7 +31,7 @@ pub struct Study {
 /// A part of a study.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Its name; empty of a study that has only one.
+    /// Name of the part; empty of a study that has only one.
     pub name: String,
     /// What is evaluated at every point.
     pub models: Vec<ModelKind>,
@@ -41,7 +41,7 @@ pub struct Part {
     pub points: usize,
     /// Start of the random numbers.
     pub seed: u64,
-    /// Its factors: numbers in the list of the study.
+    /// Factors of the part: numbers in the list of the study.
     pub factors: Vec<usize>,
     /// Keys of the case and their values at all points, as TOML.
     pub set: Vec<(String, String)>,
@@ -52,7 +52,7 @@ pub struct Part {
 /// A chart that the file asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChartWish {
-    /// Its name.
+    /// Name of the chart.
     pub name: String,
     /// Column along the x axis.
     pub x: String,

@@ -55,7 +55,7 @@ impl Counts {
 pub struct Lack {
     /// Number of its point.
     pub point: usize,
-    /// Its id.
+    /// Id of the case.
     pub id: CaseId,
     /// `broken`, `refused`, `failed` or `missing`.
     pub state: String,

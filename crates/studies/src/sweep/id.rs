@@ -28,7 +28,7 @@ impl CaseId {
         Self(format!("x{hash:016x}"))
     }
 
-    /// Its text.
+    /// Text of the id.
     #[must_use]
     pub fn as_str(&self) -> &str {
         &self.0

@@ -30,7 +30,7 @@ pub struct CaseLine {
 pub struct FactorLevel {
     /// Name of the factor.
     pub name: String,
-    /// Its number in the unit of the factor; `null` for a word.
+    /// Number of the level in the unit of the factor; `null` for a word.
     pub number: Option<f64>,
     /// The level as typed.
     pub shown: String,

@@ -17,7 +17,7 @@ pub enum Ending {
 }
 
 impl Ending {
-    /// Its word in tables.
+    /// Word for the ending in tables.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

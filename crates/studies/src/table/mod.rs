@@ -54,20 +54,20 @@ impl Values {
 /// A column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Its name in files, such as `drag` or `soil.friction_angle`.
+    /// Name of the column in files, such as `drag` or `soil.friction_angle`.
     pub name: String,
-    /// Its unit, such as `N` or `deg`; `-` for a plain number, empty for words.
+    /// Unit of the column, such as `N` or `deg`; `-` for a plain number, empty for words.
     pub unit: String,
-    /// Its name in charts, such as `drag F_H`.
+    /// Name of the column in charts, such as `drag F_H`.
     pub label: String,
     /// What it is.
     pub role: Role,
-    /// Its values.
+    /// Values of the column.
     pub values: Values,
 }
 
 impl Column {
-    /// Its header in a CSV file: `drag [N]`, or the name alone for words.
+    /// Header of the column in a CSV file: `drag [N]`, or the name alone for words.
     #[must_use]
     pub fn header(&self) -> String {
         if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }

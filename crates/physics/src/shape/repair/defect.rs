@@ -46,7 +46,7 @@ pub enum Defect {
         edges: usize,
         /// Number of triangles at one of them.
         triangles: usize,
-        /// Its middle [m].
+        /// Middle of the defect [m].
         place: DVec3,
     },
     /// It has only one side, like a Möbius strip or a Klein bottle.

@@ -109,7 +109,7 @@ impl<'a> RowConstants<'a> {
         self.dt > 0.0
     }
 
-    /// The same with another material.
+    /// These constants with another material.
     pub(crate) fn of(self, material: &'a MaterialConstants) -> Self {
         Self { material, ..self }
     }

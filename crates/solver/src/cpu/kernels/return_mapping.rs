@@ -56,7 +56,7 @@ pub(super) fn apply(
     }
 }
 
-/// The same for one law. Most cells are elastic; those that yield are packed, so that the vectors of the
+/// Returns the stresses of a block to the yield surface of one law. Most cells are elastic; those that yield are packed, so that the vectors of the
 /// return mapping are full.
 #[inline(always)]
 fn apply_law<L: YieldLaw>(

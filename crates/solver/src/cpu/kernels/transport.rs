@@ -283,7 +283,7 @@ fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     }
 }
 
-/// As [`Sweep::reaches`] for the dual faces above a row of nodes: 0 where a neighbour of the donor has no mass.
+/// How far the flux of a donor reaches, like [`Sweep::reaches`], for the dual faces above a row of nodes: 0 where a neighbour of the donor has no mass.
 pub(crate) fn dual_reaches(
     grid: &Grid,
     axis: usize,

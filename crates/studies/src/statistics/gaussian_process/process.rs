@@ -14,9 +14,9 @@ const SMALLEST_DIAGONAL: f64 = 1e-9;
 /// A prediction, in the unit of the values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Predicted {
-    /// Its mean.
+    /// Mean of the prediction.
     pub mean: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the prediction.
     pub deviation: f64,
 }
 
