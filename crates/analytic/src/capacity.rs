@@ -24,9 +24,11 @@ impl UltimatePressure {
     }
 }
 
-/// q = ½ γ B N_γ* + c N_c* + γ D N_q* [Pa], N* = N s d i; of undrained clay (φ = 0) q = s_u N_c s_c d_c i_c + γ D.
+/// q = ½ γ B N_γ* + c N_c* + γ D N_q* [Pa], N* = N s d i; of undrained clay (φ = 0) q = s_u N_c s_c d_c i_c +
+/// γ D.
 ///
-/// Of the footing the depth enters the depth factors only. Rough base. Sources: [`corrections`], [`undrained_pressure`].
+/// Of the footing the depth enters the depth factors only. Rough base. Sources: [`corrections`],
+/// [`undrained_pressure`].
 ///
 /// # Errors
 /// If the soil or the footing is out of the range of the factors.

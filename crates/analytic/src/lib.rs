@@ -1,8 +1,9 @@
 //! Closed-form models of soil–body interaction, from the literature and derived for this project.
 //!
-//! This crate shares nothing that knows of soil with the solver, so that agreement between the two says something about the soil. SI units
-//! and radians throughout; drag is positive when it resists the tow, vertical force positive when the soil pushes the
-//! body up, sinkage positive downwards. An input outside the range of a formula is an error; it is never clamped.
+//! This crate shares nothing that knows of soil with the solver, so that agreement between the two says
+//! something about the soil. SI units and radians throughout; drag is positive when it resists the tow,
+//! vertical force positive when the soil pushes the body up, sinkage positive downwards. An input outside the
+//! range of a formula is an error; it is never clamped.
 
 pub mod bearing;
 pub mod capacity;

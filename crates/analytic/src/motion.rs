@@ -2,8 +2,9 @@
 
 /// Slip s of a wheel from its turn ratio ωr/v: 1 − v/(ωr) where it is driven (ωr > v), otherwise ωr/v − 1.
 ///
-/// −1 is a locked wheel, 0 free rolling, 1 spinning on the spot; below −1 the wheel turns backwards. Source: the usual
-/// definition in terramechanics (Wong, Theory of Ground Vehicles): the difference of the two speeds over the larger one.
+/// −1 is a locked wheel, 0 free rolling, 1 spinning on the spot; below −1 the wheel turns backwards. Source:
+/// the usual definition in terramechanics (Wong, Theory of Ground Vehicles): the difference of the two speeds
+/// over the larger one.
 #[must_use]
 pub fn slip(turn_ratio: f64) -> f64 {
     if turn_ratio > 1.0 { 1.0 - 1.0 / turn_ratio } else { turn_ratio - 1.0 }
@@ -21,14 +22,14 @@ pub fn froude(speed: f64, gravity: f64, depth: f64) -> f64 {
     speed * speed / (gravity * depth)
 }
 
-/// Contribution of inertia to the mean passive pressure on a smooth vertical face that moves at v [m/s] into soil of
-/// density ρ [kg/m³]: 2 ρ v² [Pa], independent of the friction angle.
+/// Contribution of inertia to the mean passive pressure on a smooth vertical face that moves at v [m/s] into
+/// soil of density ρ [kg/m³]: 2 ρ v² [Pa], independent of the friction angle.
 ///
-/// Soil at rest enters the moving wedge at ρ v z [kg/s per metre] and takes on its velocity, v forwards and v tan β upwards
-/// (β = 45° − φ/2); with the reaction of the slip surface that is a thrust of ρ v² z (1 + tan β tan(β + φ)) = 2 ρ v² z. Over
-/// the static thrust ½ γ z² K_p it is 4 Fr/K_p. Source: momentum balance of Rankine's wedge, derived for this project; 2
-/// is also the inertia factor of McKyes' wedge in this case (recalled, not re-read). Valid for slow motion, where the
-/// wedge is still the static one.
+/// Soil at rest enters the moving wedge at ρ v z [kg/s per metre] and takes on its velocity, v forwards and v
+/// tan β upwards (β = 45° − φ/2); with the reaction of the slip surface that is a thrust of ρ v² z (1 + tan β
+/// tan(β + φ)) = 2 ρ v² z. Over the static thrust ½ γ z² K_p it is 4 Fr/K_p. Source: momentum balance of
+/// Rankine's wedge, derived for this project; 2 is also the inertia factor of McKyes' wedge in this case
+/// (recalled, not re-read). Valid for slow motion, where the wedge is still the static one.
 #[must_use]
 pub fn inertia_pressure(density: f64, speed: f64) -> f64 {
     2.0 * density * speed * speed

@@ -7,11 +7,12 @@ use std::f64::consts::{FRAC_PI_4, PI};
 /// a and b of a smooth and of a rough pipe.
 const POWER: [(f64, f64); 2] = [(4.97, 0.23), (6.73, 0.29)];
 
-/// Vertical force [N/m] on a pipe of the diameter d [m] pressed z [m] into clay from its surface: s_u d a (z/d)^b + γ A, with s_u at the
-/// lowest point, between a = 4.97, b = 0.23 for a smooth and 6.73, 0.29 for a rough one, and A the section below the ground.
+/// Vertical force [N/m] on a pipe of the diameter d [m] pressed z [m] into clay from its surface: s_u d a
+/// (z/d)^b + γ A, with s_u at the lowest point, between a = 4.97, b = 0.23 for a smooth and 6.73, 0.29 for a
+/// rough one, and A the section below the ground.
 ///
-/// Source: Aubeny, Shi & Murff (2005), Int. J. Geomech. 5(4), 320–325, finite elements for depths up to d/2. At d/2 a rough pipe is
-/// within 7 % of a strip as wide, with the depth factor of its middle.
+/// Source: Aubeny, Shi & Murff (2005), Int. J. Geomech. 5(4), 320–325, finite elements for depths up to d/2.
+/// At d/2 a rough pipe is within 7 % of a strip as wide, with the depth factor of its middle.
 ///
 /// # Errors
 /// Unless 0 < z ≤ d/2 and the roughness is within 0 to 1.
@@ -25,10 +26,11 @@ pub fn pipe_penetration(soil: &Soil, diameter: f64, z: f64, roughness: f64) -> M
     Ok(strength * diameter * (smooth + alpha * (rough - smooth)) + soil.unit_weight * section)
 }
 
-/// Force over s_u d at which clay flows around a deep cylinder: π + 2Δ + 4 cos(π/4 − Δ/2)(√2 + sin(π/4 − Δ/2)), sin Δ = α: 9.14 for a smooth
-/// and 11.94 for a rough one.
+/// Force over s_u d at which clay flows around a deep cylinder: π + 2Δ + 4 cos(π/4 − Δ/2)(√2 + sin(π/4 −
+/// Δ/2)), sin Δ = α: 9.14 for a smooth and 11.94 for a rough one.
 ///
-/// Source: Randolph & Houlsby (1984), Géotechnique 34(4), 613–623; exact for a rough, close to it for a smooth cylinder.
+/// Source: Randolph & Houlsby (1984), Géotechnique 34(4), 613–623; exact for a rough, close to it for a
+/// smooth cylinder.
 ///
 /// # Errors
 /// Unless the roughness is within 0 to 1.

@@ -1,12 +1,14 @@
-//! Water in the pores of soil that dilates as it is sheared: whether it can follow, and the suction where it cannot.
+//! Water in the pores of soil that dilates as it is sheared: whether it can follow, and the suction where it
+//! cannot.
 
 use crate::cutting::{Blade, SaturatedCut, SaturatedSand};
 use crate::error::{ModelResult, positive, within};
 use crate::forecast::{Forecast, Load, Towing, forecast};
 use crate::soil::Soil;
 
-/// Mean suction in the failing soil over γ_w v z ε/k. Of Miedema's form (1987); between 0.1 and 0.3 along the shear plane and the face of a
-/// blade by his finite elements (recalled, not re-read). For round bodies an order of magnitude.
+/// Mean suction in the failing soil over γ_w v z ε/k. Of Miedema's form (1987); between 0.1 and 0.3 along the
+/// shear plane and the face of a blade by his finite elements (recalled, not re-read). For round bodies an
+/// order of magnitude.
 const MEAN_SUCTION: f64 = 0.1;
 /// Pressure at which water cavitates, below that of the atmosphere [Pa].
 const ATMOSPHERE: f64 = 1e5;
@@ -42,8 +44,8 @@ impl PoreWater {
         ATMOSPHERE + self.unit_weight * self.depth
     }
 
-    /// Mean suction in the soil that fails down to a depth [m] at a speed [m/s], a number of times the usual one [Pa]: 0.1 γ_w v z ε/k, at
-    /// most that at which the water cavitates.
+    /// Mean suction in the soil that fails down to a depth [m] at a speed [m/s], a number of times the usual
+    /// one [Pa]: 0.1 γ_w v z ε/k, at most that at which the water cavitates.
     #[must_use]
     pub fn suction(&self, speed: f64, depth: f64, times: f64) -> f64 {
         let free = times * MEAN_SUCTION * self.unit_weight * speed * depth.max(0.0) * self.volume_strain
@@ -51,8 +53,8 @@ impl PoreWater {
         free.min(self.cavitation())
     }
 
-    /// A blade of a height [m] that cuts the sand at a speed [m/s], with the suction a number of times that of the theory; the sand is as
-    /// permeable where it has been sheared as where it has not.
+    /// A blade of a height [m] that cuts the sand at a speed [m/s], with the suction a number of times that
+    /// of the theory; the sand is as permeable where it has been sheared as where it has not.
     ///
     /// # Errors
     /// As [`SaturatedSand::cut`].
@@ -73,8 +75,9 @@ impl PoreWater {
 
     /// The models with suction, at a speed [m/s], where it is a number of times the usual one.
     ///
-    /// A uniform suction p_s raises the effective stress everywhere, as a cohesion p_s tan φ does (Caquot's correspondence). The depth of a
-    /// body that sinks depends on the suction, and the suction on the depth; both are found by bisection.
+    /// A uniform suction p_s raises the effective stress everywhere, as a cohesion p_s tan φ does (Caquot's
+    /// correspondence). The depth of a body that sinks depends on the suction, and the suction on the depth;
+    /// both are found by bisection.
     ///
     /// # Errors
     /// If speed or factor are negative, or no model has an answer.

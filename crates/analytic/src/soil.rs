@@ -3,7 +3,8 @@
 use crate::bearing::davis_friction_angle;
 use crate::error::{ModelResult, non_negative, positive, within};
 
-/// Rigid–perfectly plastic Mohr–Coulomb soil and its friction on the body; with φ = 0 undrained clay of strength s_u = c.
+/// Rigid–perfectly plastic Mohr–Coulomb soil and its friction on the body; with φ = 0 undrained clay of
+/// strength s_u = c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soil {
     /// Friction angle φ [rad]; 0 for undrained clay.
@@ -16,9 +17,11 @@ pub struct Soil {
     pub unit_weight: f64,
     /// Coefficient of friction μ between soil and body; the wall friction angle is δ = atan μ.
     pub body_friction: f64,
-    /// Adhesion factor α of undrained clay: its friction on the body is at most α s_u, 0 to 1; without effect in other soil.
+    /// Adhesion factor α of undrained clay: its friction on the body is at most α s_u, 0 to 1; without effect
+    /// in other soil.
     pub adhesion_factor: f64,
-    /// Growth of the strength of undrained clay with depth k [Pa/m], from s_u = c at the surface; without effect in other soil.
+    /// Growth of the strength of undrained clay with depth k [Pa/m], from s_u = c at the surface; without
+    /// effect in other soil.
     pub strength_gradient: f64,
 }
 
@@ -26,7 +29,8 @@ impl Soil {
     /// Checks that the parameters lie in the range of the models.
     ///
     /// # Errors
-    /// Unless 10° ≤ φ ≤ 50°, −φ ≤ ψ ≤ φ, c ≥ 0, γ > 0 and 0 ≤ μ ≤ 2; of undrained clay unless s_u > 0, γ ≥ 0, 0 ≤ μ ≤ 2.
+    /// Unless 10° ≤ φ ≤ 50°, −φ ≤ ψ ≤ φ, c ≥ 0, γ > 0 and 0 ≤ μ ≤ 2; of undrained clay unless s_u > 0, γ ≥ 0,
+    /// 0 ≤ μ ≤ 2.
     pub fn check(&self) -> ModelResult<()> {
         if self.is_undrained() {
             positive("undrained shear strength [Pa]", self.cohesion)?;
@@ -44,7 +48,8 @@ impl Soil {
         Ok(())
     }
 
-    /// The equivalent associated soil with Davis' operative friction angle φ* and cohesion c* in place of φ and c.
+    /// The equivalent associated soil with Davis' operative friction angle φ* and cohesion c* in place of φ
+    /// and c.
     ///
     /// tan φ*/tan φ = c*/c. Source: Davis (1968), see [`davis_friction_angle`].
     ///
@@ -59,7 +64,8 @@ impl Soil {
         Ok(Self { friction_angle: angle, dilation_angle: angle, cohesion, ..*self })
     }
 
-    /// How rough a base on undrained clay is, 0 to 1: its friction under the pressure of a strip over s_u, at most the adhesion factor.
+    /// How rough a base on undrained clay is, 0 to 1: its friction under the pressure of a strip over s_u, at
+    /// most the adhesion factor.
     #[must_use]
     pub fn roughness_of_clay(&self) -> f64 {
         (self.body_friction * (2.0 + std::f64::consts::PI)).min(self.adhesion_factor)
@@ -77,8 +83,8 @@ impl Soil {
         self.friction_angle == 0.0 && self.dilation_angle == 0.0
     }
 
-    /// Friction coefficient of the interface: μ, but at most tan φ, at which sand itself fails. That of clay, whose shear strength
-    /// is the limit, depends on the pressure.
+    /// Friction coefficient of the interface: μ, but at most tan φ, at which sand itself fails. That of clay,
+    /// whose shear strength is the limit, depends on the pressure.
     #[must_use]
     pub fn interface_friction(&self) -> f64 {
         if self.is_undrained() {

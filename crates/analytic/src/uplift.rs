@@ -18,12 +18,15 @@ const PLATES: [(f64, f64, f64, f64); 7] = [
 /// Vesić's breakout factor of a circle in clay at H/B.
 const CIRCLES: [(f64, f64); 6] =
     [(0.0, 0.0), (0.5, 1.76), (1.0, 3.80), (1.5, 6.12), (2.5, 11.6), (5.0, 30.3)];
-/// Limits of a deep strip (Merifield, Sloan & Yu 2001) and of a deep smooth circle (Martin & Randolph 2001) in clay.
+/// Limits of a deep strip (Merifield, Sloan & Yu 2001) and of a deep smooth circle (Martin & Randolph 2001)
+/// in clay.
 const DEEP: (f64, f64) = (11.16, 12.42);
-/// Depth of its middle over the diameter to which sand above a pipe is lifted as a whole (chosen: the range of the tests).
+/// Depth of its middle over the diameter to which sand above a pipe is lifted as a whole (chosen: the range
+/// of the tests).
 const DEEPEST_PIPE: f64 = 8.0;
 
-/// Shear on the two vertical planes above a strip over γ H²: tan ψ + (tan φ − tan ψ)[(1 + K₀)/2 − (1 − K₀) cos 2ψ/2].
+/// Shear on the two vertical planes above a strip over γ H²: tan ψ + (tan φ − tan
+/// ψ)[(1 + K₀)/2 − (1 − K₀) cos 2ψ/2].
 ///
 /// Source: White, Cheuk & Bolton (2008), Géotechnique 58(10), 771–779.
 #[must_use]
@@ -33,10 +36,12 @@ pub fn uplift_shear(soil: &Soil, k0: f64) -> f64 {
     psi.tan() + (soil.friction_angle.tan() - psi.tan()) * normal
 }
 
-/// Force [N/m] that holds a pipe of the diameter d [m] whose middle lies h [m] below the ground: the weight of the soil above it, γ (h d −
-/// π d²/8), and the shear on the vertical planes at its sides; in clay 2 s_u h, at most the flow around it.
+/// Force [N/m] that holds a pipe of the diameter d [m] whose middle lies h [m] below the ground: the weight
+/// of the soil above it, γ (h d − π d²/8), and the shear on the vertical planes at its sides; in clay 2 s_u
+/// h, at most the flow around it.
 ///
-/// Sources: [`uplift_shear`]; in clay Schaminée, Zorn & Schotman (1990), OTC 6486, with [`flow_round_factor`].
+/// Sources: [`uplift_shear`]; in clay Schaminée, Zorn & Schotman (1990), OTC 6486, with
+/// [`flow_round_factor`].
 ///
 /// # Errors
 /// If the pipe is not covered, or in sand deeper than 8 d.
@@ -54,10 +59,11 @@ pub fn pipe_uplift(soil: &Soil, diameter: f64, h: f64, (k0, roughness): (f64, f6
     Ok(weight + soil.unit_weight * h * h * uplift_shear(soil, k0))
 }
 
-/// Force [N/m] that holds a strip of the width B [m] whose top lies H [m] below the ground; in clay soil breaks away under it at once.
+/// Force [N/m] that holds a strip of the width B [m] whose top lies H [m] below the ground; in clay soil
+/// breaks away under it at once.
 ///
-/// Sources: in sand [`uplift_shear`]; in clay Merifield, Sloan & Yu (2001), Géotechnique 51(2), 141–153, N = 2.56 ln(2 H/B) + γ H/s_u ≤
-/// 11.16, below H = B linear to 0 (chosen).
+/// Sources: in sand [`uplift_shear`]; in clay Merifield, Sloan & Yu (2001), Géotechnique 51(2), 141–153, N =
+/// 2.56 ln(2 H/B) + γ H/s_u ≤ 11.16, below H = B linear to 0 (chosen).
 ///
 /// # Errors
 /// If an input is out of range, or H/B in sand is beyond what Meyerhof & Adams call shallow.
@@ -71,10 +77,12 @@ pub fn strip_uplift(soil: &Soil, width: f64, h: f64, k0: f64) -> ModelResult<f64
     Ok(soil.unit_weight * h * (width + h * uplift_shear(soil, k0)))
 }
 
-/// Force [N] that holds a circle of the diameter B [m], or a rectangle of the sides B and L [m] in sand, whose top lies H [m] below the ground.
+/// Force [N] that holds a circle of the diameter B [m], or a rectangle of the sides B and L [m] in sand,
+/// whose top lies H [m] below the ground.
 ///
-/// Sources: in sand Meyerhof & Adams (1968), Can. Geotech. J. 5(4), 225–244: weight of the soil above and s (π/2) B γ H² K_u tan φ, s = 1 +
-/// m H/B, of a rectangle γ H² (2 s B + L − B) K_u tan φ; in clay the factors of Vesić (1971), at most the 12.42 of a deep circle.
+/// Sources: in sand Meyerhof & Adams (1968), Can. Geotech. J. 5(4), 225–244: weight of the soil above and s
+/// (π/2) B γ H² K_u tan φ, s = 1 + m H/B, of a rectangle γ H² (2 s B + L − B) K_u tan φ; in clay the factors
+/// of Vesić (1971), at most the 12.42 of a deep circle.
 ///
 /// # Errors
 /// If H/B is beyond what is shallow, and for rectangles in clay.

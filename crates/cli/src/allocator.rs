@@ -8,8 +8,9 @@ use std::io::Write;
 const OUT_OF_MEMORY: &str = "error: not enough memory: a limit of this machine, of this process (ulimit -v, ulimit -d) or of a batch system \
                              was reached; make grid.cell larger, or the limit, or use fewer --threads\n";
 
-/// The system's allocator. Where it has no memory the program ends here with exit code 2 instead of an abort: a limit of the machine, of
-/// the process or of a batch system was reached, and a smaller request or a larger limit is the cure.
+/// The system's allocator. Where it has no memory the program ends here with exit code 2 instead of an abort:
+/// a limit of the machine, of the process or of a batch system was reached, and a smaller request or a larger
+/// limit is the cure.
 pub(crate) struct Memory;
 
 fn or_end(memory: *mut u8) -> *mut u8 {

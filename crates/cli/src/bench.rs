@@ -24,7 +24,8 @@ pub(super) struct Arguments {
     /// Steps to measure
     #[arg(long, value_name = "N", default_value_t = 1500, value_parser = clap::value_parser!(u32).range(1..))]
     steps: u32,
-    /// Measure in these numbers of MPI processes, each with one thread unless --threads says otherwise, and predict more
+    /// Measure in these numbers of MPI processes, each with one thread unless --threads says otherwise, and
+    /// predict more
     #[arg(long, value_name = "N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     ranks: Vec<u16>,
     /// How processes are started; their number follows

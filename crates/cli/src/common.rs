@@ -104,7 +104,8 @@ pub(super) fn results_folder(path: &Path) -> Result<&Path, Failure> {
     if path.is_dir() { Ok(path) } else { Err(Failure::Request(problem())) }
 }
 
-/// Prints to standard output, as everything of this command that is for people, shells or programs. A reader that has closed the pipe (`| head`) is not an error.
+/// Prints to standard output, as everything of this command that is for people, shells or programs. A reader
+/// that has closed the pipe (`| head`) is not an error.
 pub(super) fn say(text: &str) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     match out.write_all(plain(text).as_bytes()).and_then(|()| out.flush()) {

@@ -14,7 +14,8 @@ use studies::measured::refuse_unused;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Results folders of runs, forecast folders or forecast.json, case files (by their closed form), measured CSV files
+    /// Results folders of runs, forecast folders or forecast.json, case files (by their closed form),
+    /// measured CSV files
     #[arg(required = true, num_args = 2.., value_name = "ITEM")]
     items: Vec<PathBuf>,
     /// The item that the others are compared with [default: the first measured one]
@@ -32,7 +33,8 @@ pub(super) struct Arguments {
     /// Move the zero of the abscissa of each curve to where it fits the reference best
     #[arg(long)]
     align: bool,
-    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign, COLUMN=- to leave it out; may be repeated
+    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign,
+    /// COLUMN=- to leave it out; may be repeated
     #[arg(long = "column", value_name = "COLUMN=QUANTITY")]
     columns: Vec<String>,
     /// The body of runs with several

@@ -21,8 +21,9 @@ pub(super) struct Arguments {
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Pressure at the start, such as "10 kPa": all round, in shear and in the oedometer the vertical one; may be repeated [default: 1, 10
-    /// and 100 kPa in triaxial and shear tests, 1 kPa in compression; of soil whose strength does not depend on the pressure by its strength]
+    /// Pressure at the start, such as "10 kPa": all round, in shear and in the oedometer the vertical one;
+    /// may be repeated [default: 1, 10 and 100 kPa in triaxial and shear tests, 1 kPa in compression; of soil
+    /// whose strength does not depend on the pressure by its strength]
     #[arg(long = "pressure", value_name = "PRESSURE", allow_hyphen_values = true)]
     pressures: Vec<String>,
     /// Relative density of the specimen, of sand; may be repeated [default: that of the case]
@@ -39,7 +40,8 @@ pub(super) struct Arguments {
     /// Largest strain of triaxial tests (axial) and shear tests [default: 0.25 and 0.5]
     #[arg(long, value_name = "STRAIN", allow_hyphen_values = true)]
     strain: Option<f64>,
-    /// Largest pressure of oedometer and isotropic tests, from which they unload [default: 100 times the first]
+    /// Largest pressure of oedometer and isotropic tests, from which they unload
+    /// [default: 100 times the first]
     #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
     largest_pressure: Option<String>,
     /// Where to write curves, key figures and plots [default: nowhere]

@@ -31,7 +31,8 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// 1 if the physics failed, 2 if the request was wrong, 128 and the number of the signal if it was stopped by one.
+    /// 1 if the physics failed, 2 if the request was wrong, 128 and the number of the signal if it was
+    /// stopped by one.
     fn exit_code(&self) -> u8 {
         match self {
             Self::Physics(_) => 1,

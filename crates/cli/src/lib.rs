@@ -1,7 +1,8 @@
 //! The `coulter` command: each command is a call into the library, and this is the only crate that prints.
 //!
-//! [`main`] is the command, for the program and for the Python package. What the package shares with the commands beyond the library is
-//! public here: [`RunRequest`], [`SweepRequest`], [`check_document`], and [`Failure`] with its texts.
+//! [`main`] is the command, for the program and for the Python package. What the package shares with the
+//! commands beyond the library is public here: [`RunRequest`], [`SweepRequest`], [`check_document`],
+//! and [`Failure`] with its texts.
 
 mod bench;
 mod calibrate;
@@ -55,7 +56,8 @@ enum Command {
     New(new::Arguments),
     /// Shows how a case is understood and what it will cost; runs nothing
     Check(check::Arguments),
-    /// Tests the soil of a case as in the laboratory: triaxial, oedometer, isotropic compression, simple shear
+    /// Tests the soil of a case as in the laboratory: triaxial, oedometer, isotropic compression, simple
+    /// shear
     Element(element::Arguments),
     /// Evaluates every closed-form model for a case, side by side
     Forecast(forecast::Arguments),
@@ -67,7 +69,8 @@ enum Command {
     Pressure(pressure::Arguments),
     /// Runs a case
     Run(run::Arguments),
-    /// Runs a study: many cases that vary, by the closed forms, the solver or both; then tables, charts and a page
+    /// Runs a study: many cases that vary, by the closed forms, the solver or both; then tables, charts and a
+    /// page
     Sweep(sweep::Arguments),
     /// Runs the verification suite: expected, obtained, error
     Verify(verify::Arguments),
@@ -85,8 +88,9 @@ enum Command {
     Man(manual::ManArguments),
 }
 
-/// Reads and executes a command line, the name of the program first; `program` is how scripts start this command. The exit code says how it ended: 0 done (good or doubtful), 1
-/// broken, 2 the request was wrong, 128 + n stopped by signal n.
+/// Reads and executes a command line, the name of the program first; `program` is how scripts start this
+/// command. The exit code says how it ended: 0 done (good or doubtful), 1 broken, 2 the request was wrong,
+/// 128 + n stopped by signal n.
 #[must_use]
 pub fn main(program: &Path, arguments: impl IntoIterator<Item = OsString>) -> u8 {
     match parsed(arguments) {
@@ -97,7 +101,8 @@ pub fn main(program: &Path, arguments: impl IntoIterator<Item = OsString>) -> u8
             Err(failure) => failure.report(),
         },
         Err(message) => {
-            // Where standard error cannot be written, only the exit code remains. Colours are for what holds nothing that acts on a terminal.
+            // Where standard error cannot be written, only the exit code remains. Colours are for what holds
+            // nothing that acts on a terminal.
             let text = message.render().to_string();
             match plain(&text) {
                 Cow::Borrowed(_) => drop(message.print()),
@@ -115,8 +120,8 @@ fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, cl
     Arguments::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))
 }
 
-/// A command whose options take a negative number for a value, so that `--threads -1` is refused for its range and not as an option
-/// `-1` that nobody knows.
+/// A command whose options take a negative number for a value, so that `--threads -1` is refused for its
+/// range and not as an option `-1` that nobody knows.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     let takes = |argument: &clap::Arg| argument.get_long().is_some() && argument.get_action().takes_values();
     command

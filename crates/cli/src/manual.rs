@@ -17,8 +17,8 @@ pub(super) struct CompletionArguments {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ManArguments {
-    /// An existing folder, such as ~/.local/share/man/man1: a page for the command and one for each of its subcommands are
-    /// written there
+    /// An existing folder, such as ~/.local/share/man/man1: a page for the command and one for each of its
+    /// subcommands are written there
     #[arg(value_name = "DIR")]
     folder: PathBuf,
 }

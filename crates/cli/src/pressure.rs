@@ -14,10 +14,12 @@ pub(super) struct Arguments {
     /// Friction angle φ of the soil
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     friction_angle: String,
-    /// Friction angle δ between face and soil; positive when the face exerts a downward shear force on the soil
+    /// Friction angle δ between face and soil; positive when the face exerts a downward shear force on the
+    /// soil
     #[arg(long, value_name = "ANGLE", default_value = "0 deg", allow_hyphen_values = true)]
     wall_friction: String,
-    /// Inclination α of the face to the horizontal: 90 deg is a vertical wall, a smaller angle overhangs the soil
+    /// Inclination α of the face to the horizontal: 90 deg is a vertical wall, a smaller angle overhangs the
+    /// soil
     #[arg(long, value_name = "ANGLE", default_value = "90 deg", allow_hyphen_values = true)]
     surface: String,
     /// Inclination β of the ground in front of the face, positive when it rises

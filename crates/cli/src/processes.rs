@@ -30,8 +30,9 @@ impl World {
         self.universe.as_ref().is_none_or(|universe| line::place(universe)[0] == 0)
     }
 
-    /// Ends the work of this process, alike in all. Of several the first says why it failed, here and now: a launcher that sees one
-    /// of them leave with a failure ends the others, which wait for each other only as long as there is a world.
+    /// Ends the work of this process, alike in all. Of several the first says why it failed, here and now: a
+    /// launcher that sees one of them leave with a failure ends the others, which wait for each other only as
+    /// long as there is a world.
     pub(crate) fn conclude(&self, outcome: Result<(), Failure>) -> Result<(), Failure> {
         outcome.map_err(|failure| {
             if self.size() == 1 {

@@ -16,8 +16,8 @@ pub(super) struct Arguments {
     /// The folder of a run
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// A file to write; repeatable. *.png is a picture, *.gif an animation, *.apng one in full colour (view.png and view.gif in
-    /// DIR/pictures unless given)
+    /// A file to write; repeatable. *.png is a picture, *.gif an animation, *.apng one in full colour
+    /// (view.png and view.gif in DIR/pictures unless given)
     #[arg(short, long, value_name = "FILE", value_parser = file)]
     output: Vec<PathBuf>,
     /// Replace files given with --output

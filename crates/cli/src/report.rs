@@ -13,10 +13,12 @@ pub(super) struct Arguments {
     /// The folder of a run
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// Lay the curves of another run (its folder) or of a measurement (CSV) over the plots; repeatable. They are not kept in DIR
+    /// Lay the curves of another run (its folder) or of a measurement (CSV) over the plots; repeatable. They
+    /// are not kept in DIR
     #[arg(long, value_name = "ITEM")]
     with: Vec<PathBuf>,
-    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign, COLUMN=- to leave it out; may be repeated
+    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign,
+    /// COLUMN=- to leave it out; may be repeated
     #[arg(long = "column", value_name = "COLUMN=QUANTITY", requires = "with")]
     columns: Vec<String>,
     /// The body of laid-over runs with several

@@ -13,7 +13,8 @@ const TRIALS: usize = 9;
 const TRIAL_TIME: Duration = Duration::from_millis(50);
 /// Most contact points of the body in it; what they cost is little beside the soil.
 const MOST_POINTS: f64 = 2e5;
-/// Cost of later steps, when soil yields and is remapped, over that of the first ones; measured on the shipped cases.
+/// Cost of later steps, when soil yields and is remapped, over that of the first ones; measured on the
+/// shipped cases.
 const LATER_STEPS: f64 = 1.5;
 /// Time for the report [s], and per cell of a field file [s]; measured.
 const WRITING: [f64; 2] = [0.6, 1.3e-6];

@@ -1,5 +1,6 @@
-//! Signals: SIGINT, SIGTERM and SIGHUP stop a run at its next step, SIGUSR1 makes it write a checkpoint and continue. A
-//! second stop signal ends the program immediately. SIGXFSZ becomes an error of the write that causes it.
+//! Signals: SIGINT, SIGTERM and SIGHUP stop a run at its next step, SIGUSR1 makes it write a checkpoint and
+//! continue. A second stop signal ends the program immediately. SIGXFSZ becomes an error of the write that
+//! causes it.
 
 use coulter::interrupts::Interrupts;
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -27,8 +28,8 @@ pub(super) fn listen() -> Interrupts {
     interrupts
 }
 
-/// Makes a write beyond a limit on the file size (`ulimit -f`) fail as on a full disk, instead of ending the program by
-/// SIGXFSZ.
+/// Makes a write beyond a limit on the file size (`ulimit -f`) fail as on a full disk, instead of ending the
+/// program by SIGXFSZ.
 #[cfg(unix)]
 pub(super) fn ignore_file_size_signal() {
     // An empty handler is enough. If it cannot be installed the signal keeps its default action.
@@ -39,8 +40,8 @@ pub(super) fn ignore_file_size_signal() {
 #[cfg(not(unix))]
 pub(super) fn ignore_file_size_signal() {}
 
-/// For tests: `COULTER_SUSPEND_EVERY=5` suspends the program (SIGSTOP) at every fifth sample, so that what is done to it in its
-/// middle races no clock.
+/// For tests: `COULTER_SUSPEND_EVERY=5` suspends the program (SIGSTOP) at every fifth sample, so that what is
+/// done to it in its middle races no clock.
 #[cfg(unix)]
 fn suspension() -> Option<fn()> {
     static EVERY: AtomicUsize = AtomicUsize::new(0);

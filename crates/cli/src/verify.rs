@@ -18,7 +18,8 @@ pub(super) struct Arguments {
     /// Only what takes about a minute in all, on coarse grids
     #[arg(long)]
     fast: bool,
-    /// Instead of the table: each benchmark that can be refined on this many meshes, with the observed order of convergence
+    /// Instead of the table: each benchmark that can be refined on this many meshes, with the observed order
+    /// of convergence
     #[arg(long, value_name = "MESHES", value_parser = clap::value_parser!(u32).range(3..=5), conflicts_with_all = ["fast", "strict", "write"])]
     refine: Option<u32>,
     /// Print one JSON document
@@ -30,7 +31,8 @@ pub(super) struct Arguments {
     /// Write the table into README.md and docs/verification.md of the current folder
     #[arg(long)]
     write: bool,
-    /// Sets a key in every case that is run from a case file, such as numerics.contact=impulse; may be repeated
+    /// Sets a key in every case that is run from a case file, such as numerics.contact=impulse; may be
+    /// repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     /// Threads; 0 for as many as a run has by default (`coulter run --help`)

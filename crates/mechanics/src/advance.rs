@@ -7,8 +7,9 @@ use crate::wrench::Wrench;
 impl Mechanism {
     /// Takes the step with the impulses of contact and puts the state at its end.
     ///
-    /// The impulses are kept and the motion is found anew with them: contact saw the bodies' linear response in the predicted
-    /// configuration and joints that were relaxed, which differs from the motion by terms of second order in the step.
+    /// The impulses are kept and the motion is found anew with them: contact saw the bodies' linear response
+    /// in the predicted configuration and joints that were relaxed, which differs from the motion by terms of
+    /// second order in the step.
     pub fn advance(&self, state: &mut MechanismState, step: &mut Step) {
         if step.bodies.iter().any(|body| body.impulses.contact != Wrench::ZERO) {
             self.integrate(state, step);

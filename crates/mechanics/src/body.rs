@@ -17,11 +17,12 @@ use serde::{Deserialize, Serialize};
 pub struct Body {
     /// Mass properties of the whole body.
     pub inertia: Inertia,
-    /// Degrees of freedom: along x, y, z of space; yaw about z, tilt about the x axis that yaw carries, spin about the body's
-    /// y axis, its axle. If all three rotations are free the body rotates freely.
+    /// Degrees of freedom: along x, y, z of space; yaw about z, tilt about the x axis that yaw carries, spin
+    /// about the body's y axis, its axle. If all three rotations are free the body rotates freely.
     pub motion: [Motion; 6],
-    /// Fraction of the body that is modelled: ½ for each symmetry plane through it; of a slice of a long body the slice over the
-    /// width that the rest refers to. Impulses act on this fraction; everything else refers to the whole body.
+    /// Fraction of the body that is modelled: ½ for each symmetry plane through it; of a slice of a long body
+    /// the slice over the width that the rest refers to. Impulses act on this fraction; everything else
+    /// refers to the whole body.
     pub modelled_fraction: f64,
     /// The fluid that it moves in.
     pub fluid: Fluid,
@@ -86,7 +87,8 @@ impl Body {
         self.motion.each_ref().map(|motion| motion.speed(time))
     }
 
-    /// The state of the body at a pose with a velocity; what its fixed motions forbid is left out of the velocity.
+    /// The state of the body at a pose with a velocity; what its fixed motions forbid is left out of the
+    /// velocity.
     #[must_use]
     pub fn state(&self, pose: Pose, twist: Twist) -> BodyState {
         let rotation = pose.rotation.normalize();
@@ -121,8 +123,8 @@ impl Body {
         }
     }
 
-    /// The state in which other motions take over: pose, velocity and momentum stay, and the prescribed motions begin at the speeds
-    /// that the body has.
+    /// The state in which other motions take over: pose, velocity and momentum stay, and the prescribed
+    /// motions begin at the speeds that the body has.
     #[must_use]
     pub fn taken_over(&self, state: &BodyState) -> BodyState {
         let rates = state.rates();
@@ -144,8 +146,8 @@ impl Body {
         0.5 * (moving + turning.dot(self.inertia.inverse_tensor() * turning))
     }
 
-    /// Potential energy [J] of the whole body in a gravity field [m/s²], less that of the fluid that it displaces; 0 with both centres at
-    /// the origin.
+    /// Potential energy [J] of the whole body in a gravity field [m/s²], less that of the fluid that it
+    /// displaces; 0 with both centres at the origin.
     #[must_use]
     pub fn potential_energy(&self, state: &BodyState, gravity: DVec3) -> f64 {
         let displaced = self.fluid.displaced * state.pose.point(self.fluid.centre);
@@ -160,7 +162,8 @@ impl Body {
 }
 
 impl BodyState {
-    /// Axis of tilt: the level unit vector across the axle, forwards of a body that has not been turned round.
+    /// Axis of tilt: the level unit vector across the axle, forwards of a body that has not been turned
+    /// round.
     #[must_use]
     pub fn tilt_axis(&self) -> DVec3 {
         self.tilt_axis
@@ -185,12 +188,14 @@ pub struct Momentum {
 }
 
 impl Momentum {
-    /// The momentum after an impulse about the reference point, when the centre of mass is at `arm` from it [m].
+    /// The momentum after an impulse about the reference point, when the centre of mass is at `arm` from
+    /// it [m].
     pub(crate) fn after(&self, impulse: &Wrench, arm: DVec3) -> Self {
         Self { linear: self.linear + impulse.force, angular: self.angular + impulse.moment_about(arm) }
     }
 
-    /// Momentum, and angular momentum about the reference point, when the centre of mass is at `arm` from it [m].
+    /// Momentum, and angular momentum about the reference point, when the centre of mass is at `arm` from
+    /// it [m].
     pub(crate) fn about_reference(&self, arm: DVec3) -> Wrench {
         Wrench { force: self.linear, moment: self.angular + arm.cross(self.linear) }
     }

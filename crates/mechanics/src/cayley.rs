@@ -1,8 +1,9 @@
 //! The Cayley map: the rotation of a step from its angular velocity.
 //!
-//! With w = Δt ω it is cay(w) = (1 − ŵ/2)⁻¹ (1 + ŵ/2), a rotation about w by 2 atan(|w|/2). It differs from the exponential by
-//! terms of third order and satisfies exactly (R₁ − R₀) r = w × ½(R₀ + R₁) r for R₁ = cay(w) R₀: displacements within a step
-//! are linear in the mean arms (Simo & Wong 1991; Austin, Krishnaprasad & Wang 1993).
+//! With w = Δt ω it is cay(w) = (1 − ŵ/2)⁻¹ (1 + ŵ/2), a rotation about w by 2 atan(|w|/2). It differs from
+//! the exponential by terms of third order and satisfies exactly (R₁ − R₀) r = w × ½(R₀ + R₁) r for R₁ =
+//! cay(w) R₀: displacements within a step are linear in the mean arms (Simo & Wong 1991; Austin,
+//! Krishnaprasad & Wang 1993).
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -20,8 +21,8 @@ pub fn half_rotation(turn: DVec3) -> DQuat {
     (rotation(turn) + DQuat::IDENTITY).normalize()
 }
 
-/// The inverse of C, where ½(R₀ + R₁) = C R½ and R½ is the rotation half-way: C shrinks by the cosine of half the angle what is
-/// perpendicular to the axis.
+/// The inverse of C, where ½(R₀ + R₁) = C R½ and R½ is the rotation half-way: C shrinks by the cosine of half
+/// the angle what is perpendicular to the axis.
 #[must_use]
 pub fn stretch(turn: DVec3) -> DMat3 {
     let k = (1.0 + 0.25 * turn.length_squared()).sqrt();

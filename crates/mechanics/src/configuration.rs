@@ -68,14 +68,15 @@ impl Configuration {
         self.position + self.displacement + self.end * point
     }
 
-    /// The mean of a body-fixed vector over the step, in space: of a point, its mean arm from the reference point [m].
+    /// The mean of a body-fixed vector over the step, in space: of a point, its mean arm from the reference
+    /// point [m].
     #[must_use]
     pub fn mean(&self, vector: DVec3) -> DVec3 {
         0.5 * (self.start * vector + self.end * vector)
     }
 
-    /// Inertia that relates the mean momentum to the twist of the step. The tensor is that of the attitude half-way, stretched as
-    /// mean arms are shrunk.
+    /// Inertia that relates the mean momentum to the twist of the step. The tensor is that of the attitude
+    /// half-way, stretched as mean arms are shrunk.
     pub(crate) fn mean_inertia(&self, inertia: &Inertia) -> SpatialInertia {
         let stretched = cayley::stretch(self.turn) * self.half;
         SpatialInertia {

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A displacement over time: cubic between given points, with a speed that does not jump. At rest before the first point; after the
-/// last one the speed stays what it is there.
+/// A displacement over time: cubic between given points, with a speed that does not jump. At rest before the
+/// first point; after the last one the speed stays what it is there.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Course {
     /// Times [s], rising.
@@ -15,9 +15,9 @@ pub struct Course {
 }
 
 impl Course {
-    /// Through displacements [m or rad] at rising times [s]: it rises and falls with them and nowhere else (Fritsch and Carlson 1980,
-    /// with the weighted harmonic mean of Fritsch and Butland 1984), from rest to rest. `None` for fewer than two points, times that do
-    /// not rise, and what is not finite.
+    /// Through displacements [m or rad] at rising times [s]: it rises and falls with them and nowhere else
+    /// (Fritsch and Carlson 1980, with the weighted harmonic mean of Fritsch and Butland 1984), from rest to
+    /// rest. `None` for fewer than two points, times that do not rise, and what is not finite.
     #[must_use]
     pub fn through(times: Vec<f64>, displacements: Vec<f64>) -> Option<Self> {
         if !is_table(&times, &displacements) {
@@ -36,7 +36,8 @@ impl Course {
         Some(Self { times, displacements, speeds })
     }
 
-    /// With speeds [m/s or rad/s] at rising times [s], linear between them. `None` as for [`Course::through`].
+    /// With speeds [m/s or rad/s] at rising times [s], linear between them. `None` as for
+    /// [`Course::through`].
     #[must_use]
     pub fn with_speeds(times: Vec<f64>, speeds: Vec<f64>) -> Option<Self> {
         if !is_table(&times, &speeds) {
@@ -137,7 +138,8 @@ impl Course {
         self.speeds.iter().map(|speed| speed.abs()).chain(middles).fold(0.0, f64::max)
     }
 
-    /// The piece at a time: the number of its first point, its duration [s], and where in it the time is, 0 to 1.
+    /// The piece at a time: the number of its first point, its duration [s], and where in it the time is, 0
+    /// to 1.
     fn piece(&self, time: f64) -> Option<(usize, f64, f64)> {
         let after = self.times.partition_point(|point| *point <= time);
         if after == 0 || after == self.times.len() {

@@ -25,7 +25,8 @@ impl Fluid {
         -self.drag * velocity.length() * velocity
     }
 
-    /// Impulse of buoyancy in a time `dt` [s] under gravity [m/s²], with the centre of the volume at `arm` from the reference point [m].
+    /// Impulse of buoyancy in a time `dt` [s] under gravity [m/s²], with the centre of the volume at `arm`
+    /// from the reference point [m].
     pub(crate) fn buoyancy(&self, arm: DVec3, dt: f64, gravity: DVec3) -> Wrench {
         Wrench::at(arm, -self.displaced * dt * gravity)
     }

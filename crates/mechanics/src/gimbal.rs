@@ -1,8 +1,8 @@
-//! The axes of the three rotational degrees of freedom: yaw about the vertical of space, tilt about the x axis that yaw carries, spin
-//! about the body's own y axis, its axle.
+//! The axes of the three rotational degrees of freedom: yaw about the vertical of space, tilt about the x
+//! axis that yaw carries, spin about the body's own y axis, its axle.
 //!
-//! Mean axes ½(a₀ + a₁) over a step make the restrictions exact: with the Cayley map Δa = Δt ω × ā, so that an angular velocity
-//! without a tilt component, ω in the plane of z and ā, keeps a · z to round-off.
+//! Mean axes ½(a₀ + a₁) over a step make the restrictions exact: with the Cayley map Δa = Δt ω × ā, so that
+//! an angular velocity without a tilt component, ω in the plane of z and ā, keeps a · z to round-off.
 
 use crate::twist::Twist;
 use glam::{DMat3, DVec3};
@@ -20,7 +20,8 @@ pub(crate) fn tilt_axis(attitude: &DMat3, near: DVec3) -> DVec3 {
     if sine < PARALLEL { near } else { horizontal * (near.dot(horizontal).signum() / sine) }
 }
 
-/// Tilt axis of an attitude whose axle is inclined by less than 90°; of a vertical axle, the body's own x axis.
+/// Tilt axis of an attitude whose axle is inclined by less than 90°; of a vertical axle, the body's own x
+/// axis.
 pub(crate) fn first_tilt_axis(attitude: &DMat3) -> DVec3 {
     let horizontal = attitude.y_axis.cross(DVec3::Z);
     let own = DVec3::new(attitude.x_axis.x, attitude.x_axis.y, 0.0).try_normalize().unwrap_or(DVec3::X);

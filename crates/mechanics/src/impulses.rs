@@ -46,7 +46,8 @@ impl Work {
 }
 
 impl Impulses {
-    /// Work of the impulses [J]: of those at the start of the step at the twist that they meet, of those within it at the twist of the step.
+    /// Work of the impulses [J]: of those at the start of the step at the twist that they meet, of those
+    /// within it at the twist of the step.
     #[must_use]
     pub fn work(&self, met: &Twist, within: &Twist) -> Work {
         Work {

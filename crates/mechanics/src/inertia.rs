@@ -19,7 +19,8 @@ impl Inertia {
     /// No mass: for a body all of whose motions are fixed or prescribed.
     pub const NONE: Self = Self { mass: 0.0, centre: DVec3::ZERO, tensor: DMat3::ZERO };
 
-    /// Of a mass [kg] and principal moments [kg m²] along the body's axes; the centre of mass is the reference point.
+    /// Of a mass [kg] and principal moments [kg m²] along the body's axes; the centre of mass is the
+    /// reference point.
     #[must_use]
     pub fn principal(mass: f64, moments: DVec3) -> Self {
         Self { mass, centre: DVec3::ZERO, tensor: DMat3::from_diagonal(moments) }
@@ -60,8 +61,9 @@ impl Inertia {
     /// Whether a solid of these mass properties can exist.
     ///
     /// # Errors
-    /// [`Invalid`] unless the mass is positive, the tensor symmetric and positive, and its principal moments satisfy the triangle
-    /// inequality: the matrix of second moments ½ tr(I) 1 − I must not have negative principal values.
+    /// [`Invalid`] unless the mass is positive, the tensor symmetric and positive, and its principal moments
+    /// satisfy the triangle inequality: the matrix of second moments ½ tr(I) 1 − I must not have negative
+    /// principal values.
     pub fn check(&self) -> Result<(), Invalid> {
         if !(self.mass > 0.0 && self.mass.is_finite() && self.centre.is_finite()) {
             return Err(Invalid::Mass);
@@ -77,7 +79,8 @@ impl Inertia {
     }
 }
 
-/// Whether a symmetric matrix, with `slack` added to its principal values, is positive definite: its leading minors are positive.
+/// Whether a symmetric matrix, with `slack` added to its principal values, is positive definite: its leading
+/// minors are positive.
 fn is_positive(m: DMat3, slack: f64) -> bool {
     let m = m + DMat3::from_diagonal(DVec3::splat(slack));
     let minor = m.x_axis.x * m.y_axis.y - m.x_axis.y * m.y_axis.x;

@@ -1,8 +1,8 @@
 //! How rigid bodies and joints move.
 //!
-//! A [`Mechanism`] holds bodies and joints. Each step `predict` finds the velocities without contact, contact changes them through
-//! [`Step`], and `advance` moves the bodies. This crate knows no soil and no grid. Units are SI, axes those of space unless stated.
-//! Equations and sources: `docs/theory/rigid-bodies.md`.
+//! A [`Mechanism`] holds bodies and joints. Each step `predict` finds the velocities without contact, contact
+//! changes them through [`Step`], and `advance` moves the bodies. This crate knows no soil and no grid. Units
+//! are SI, axes those of space unless stated. Equations and sources: `docs/theory/rigid-bodies.md`.
 
 mod advance;
 mod body;

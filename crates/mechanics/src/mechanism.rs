@@ -31,8 +31,8 @@ pub struct MechanismState {
 pub struct JointState {
     /// Impulses of the last step, by row [N s or N m s].
     pub impulses: [f64; 6],
-    /// Sum of the impulses on its second body since the start, moments about that body's reference point; of a joint whose second
-    /// side is the ground, on the ground, about the origin.
+    /// Sum of the impulses on its second body since the start, moments about that body's reference point; of
+    /// a joint whose second side is the ground, on the ground, about the origin.
     pub on_second: Wrench,
 }
 
@@ -92,8 +92,8 @@ impl Mechanism {
         self.each(state).map(|(body, now)| body.kinetic_energy(now)).sum()
     }
 
-    /// Potential energy [J] of the whole bodies in a gravity field [m/s²], less that of the fluid that they displace; 0 with every centre at
-    /// the origin.
+    /// Potential energy [J] of the whole bodies in a gravity field [m/s²], less that of the fluid that they
+    /// displace; 0 with every centre at the origin.
     #[must_use]
     pub fn potential_energy(&self, state: &MechanismState, gravity: DVec3) -> f64 {
         self.each(state).map(|(body, now)| body.potential_energy(now, gravity)).sum()

@@ -1,8 +1,9 @@
 //! The motion of a mechanism in one step, for given impulses of contact.
 //!
-//! At the start of the step contact, loads, the drag of a fluid and changes of prescribed speeds act as impulses, with the reactions of joints and
-//! supports in the configuration there. Within the step gravity, gyroscopic terms, joints and supports act by the midpoint rule of
-//! Simo & Wong (1991), which conserves energy and momentum. The configuration depends on the twist, so both are found by iteration.
+//! At the start of the step contact, loads, the drag of a fluid and changes of prescribed speeds act as
+//! impulses, with the reactions of joints and supports in the configuration there. Within the step gravity,
+//! gyroscopic terms, joints and supports act by the midpoint rule of Simo & Wong (1991), which conserves
+//! energy and momentum. The configuration depends on the twist, so both are found by iteration.
 
 use crate::body::{Body, BodyState, Momentum};
 use crate::configuration::Configuration;
@@ -20,9 +21,11 @@ use glam::DVec3;
 
 /// Largest number of iterations.
 const ITERATIONS: usize = 40;
-/// Change of the twists in an iteration, relative to the twists, below which they have converged; chosen near round-off.
+/// Change of the twists in an iteration, relative to the twists, below which they have converged; chosen near
+/// round-off.
 const CONVERGED: f64 = 1e-15;
-/// Change of the twists in an iteration, relative to the twists, below which they have converged if it no longer decreases.
+/// Change of the twists in an iteration, relative to the twists, below which they have converged if it no
+/// longer decreases.
 const STAGNANT: f64 = 1e-9;
 
 impl Mechanism {
@@ -85,7 +88,8 @@ impl Mechanism {
         self.find_rows(step);
     }
 
-    /// Attitudes, mobilities, gravity and rows of the joints in the mean configuration, for the twists so far.
+    /// Attitudes, mobilities, gravity and rows of the joints in the mean configuration, for the twists so
+    /// far.
     fn configure(&self, state: &MechanismState, step: &mut Step) {
         let Conditions { dt, gravity, .. } = step.conditions;
         for ((body, now), moving) in self.bodies().iter().zip(&state.bodies).zip(&mut step.bodies) {
@@ -112,7 +116,8 @@ impl Mechanism {
         }
     }
 
-    /// The start of the step: contact, loads and changes of prescribed speeds, and what joints and supports answer.
+    /// The start of the step: contact, loads and changes of prescribed speeds, and what joints and supports
+    /// answer.
     fn react(&self, state: &MechanismState, step: &mut Step) {
         let Step { bodies, joints, system, .. } = step;
         for ((body, now), moving) in self.bodies().iter().zip(&state.bodies).zip(bodies.iter_mut()) {
@@ -135,7 +140,8 @@ impl Mechanism {
         }
     }
 
-    /// Within the step: gravity, gyroscopic terms, joints and supports. Returns the relative change of the twists.
+    /// Within the step: gravity, gyroscopic terms, joints and supports. Returns the relative change of the
+    /// twists.
     fn move_within(&self, step: &mut Step) -> f64 {
         let Step { bodies, joints, system, .. } = step;
         for (body, moving) in self.bodies().iter().zip(bodies.iter_mut()) {
@@ -202,15 +208,15 @@ fn respond(moving: &MovingBody, momentum: &Wrench, driven: &Twist) -> Twist {
     *driven + moving.mobility.response(&(*momentum - moving.inertia.momentum(driven)))
 }
 
-/// The mean momentum of the step, about the reference point, without joints and supports: that at the start, after the impulses
-/// there, half of gravity's, and the gyroscopic remainder −¼ w × T of the midpoint rule.
+/// The mean momentum of the step, about the reference point, without joints and supports: that at the start,
+/// after the impulses there, half of gravity's, and the gyroscopic remainder −¼ w × T of the midpoint rule.
 fn mean_momentum(moving: &MovingBody) -> Wrench {
     let gyroscopic = Wrench::couple(-0.25 * moving.configuration.turn().cross(moving.torque));
     moving.struck.about_reference(moving.inertia.arm) + 0.5 * moving.impulses.gravity + gyroscopic
 }
 
-/// What drives and supports add to an impulse for the body to take on a twist. They do not act along free directions: there the
-/// round-off is removed, so that momentum in them is kept.
+/// What drives and supports add to an impulse for the body to take on a twist. They do not act along free
+/// directions: there the round-off is removed, so that momentum in them is kept.
 fn support(body: &Body, moving: &MovingBody, twist: &Twist, free: &Wrench) -> Wrench {
     if body.moves_freely() {
         return Wrench::ZERO;
@@ -232,8 +238,8 @@ fn support(body: &Body, moving: &MovingBody, twist: &Twist, free: &Wrench) -> Wr
     support
 }
 
-/// The twist that the impulses at the start of the step meet: the mean of those of the momenta before and after them. A body
-/// without mass or tensor has the twists of the step instead.
+/// The twist that the impulses at the start of the step meet: the mean of those of the momenta before and
+/// after them. A body without mass or tensor has the twists of the step instead.
 fn met(body: &Body, moving: &MovingBody, before: &Momentum) -> Twist {
     let mut mean = 0.5 * (moving.before + moving.twist);
     let of_both = 0.5 * (before.angular + moving.struck.angular);

@@ -8,7 +8,8 @@ use crate::wrench::Wrench;
 use glam::{DMat3, DVec3};
 use numerics::semidefinite;
 
-/// Mobility of a body: the symmetric 6×6 matrix that maps an impulse about the reference point to the change of the twist.
+/// Mobility of a body: the symmetric 6×6 matrix that maps an impulse about the reference point to the change
+/// of the twist.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mobility {
     /// Velocity per impulse [1/kg].
@@ -58,7 +59,8 @@ impl Mobility {
         }
     }
 
-    /// Change of the velocity of the point at `arm` [m] per impulse there [1/kg]: the body's block of the Delassus operator.
+    /// Change of the velocity of the point at `arm` [m] per impulse there [1/kg]: the body's block of the
+    /// Delassus operator.
     #[must_use]
     pub fn at(&self, arm: DVec3) -> DMat3 {
         let cross = DMat3::from_cols(

@@ -24,8 +24,8 @@ pub enum Motion {
     },
     /// A prescribed displacement [m or rad] over time.
     Course(Course),
-    /// Free to move under the forces on the body and a load, a force or torque along the axis of the freedom, which
-    /// replaces a support by a smooth ramp.
+    /// Free to move under the forces on the body and a load, a force or torque along the axis of the freedom,
+    /// which replaces a support by a smooth ramp.
     Free {
         /// Load after the ramp [N or N m].
         load: f64,
@@ -79,8 +79,8 @@ impl Motion {
         }
     }
 
-    /// The motion that takes over at a time [s], to which its own times refer, from this speed [m/s or rad/s] under this load
-    /// [N or N m].
+    /// The motion that takes over at a time [s], to which its own times refer, from this speed [m/s or rad/s]
+    /// under this load [N or N m].
     #[must_use]
     pub fn taking_over(&self, at: f64, speed_now: f64, load_now: f64) -> Self {
         match self {

@@ -6,10 +6,11 @@ use crate::step::{Conditions, Step};
 use crate::twist::Twist;
 
 impl Mechanism {
-    /// The state with the bodies at given poses and velocities, in their order; bodies that are not given rest at the origin.
+    /// The state with the bodies at given poses and velocities, in their order; bodies that are not given
+    /// rest at the origin.
     ///
-    /// What fixed motions forbid is left out of the velocities; where they violate joints, these change them as in an inelastic
-    /// impact. The poses must satisfy the joints.
+    /// What fixed motions forbid is left out of the velocities; where they violate joints, these change them
+    /// as in an inelastic impact. The poses must satisfy the joints.
     #[must_use]
     pub fn state(&self, start: &[(Pose, Twist)]) -> MechanismState {
         let given = |n: usize| start.get(n).copied().unwrap_or_default();

@@ -1,7 +1,7 @@
 //! The mechanism during one step: what contact sees of its bodies and joints.
 //!
-//! `predict` fills it with velocities without contact; contact applies impulses and relaxes joints in its sweeps; `advance` takes the
-//! step with these impulses.
+//! `predict` fills it with velocities without contact; contact applies impulses and relaxes joints in its
+//! sweeps; `advance` takes the step with these impulses.
 
 use crate::impulses::{Impulses, Work};
 use crate::mobility::Mobility;
@@ -118,7 +118,8 @@ impl Step {
         body.twist += body.mobility.response(&on_whole);
     }
 
-    /// Velocity of a body's point at `arm` per impulse there, on the modelled portion [1/kg]: its block of the Delassus operator.
+    /// Velocity of a body's point at `arm` per impulse there, on the modelled portion [1/kg]: its block of
+    /// the Delassus operator.
     #[must_use]
     pub fn inverse_mass(&self, body: usize, arm: DVec3) -> DMat3 {
         let body = &self.bodies[body];
@@ -158,7 +159,8 @@ impl Step {
         self.joints.len()
     }
 
-    /// Relaxes one joint: changes the twists of its bodies by the impulses that restore it. One block of a Gauss–Seidel sweep.
+    /// Relaxes one joint: changes the twists of its bodies by the impulses that restore it. One block of a
+    /// Gauss–Seidel sweep.
     pub fn relax(&mut self, joint: usize) {
         let impulses = self.joints[joint].restoring(&self.bodies);
         self.joints[joint].apply(&impulses, &mut self.bodies);

@@ -45,8 +45,8 @@ impl Distribution {
 /// The 95 % quantile of the standard normal distribution.
 pub const NORMAL_95: f64 = 1.644_853_627;
 
-/// The 95 % quantile of Student's distribution with `freedom` degrees of freedom, by the first terms of its expansion: within 2 % from
-/// three degrees on. Source: Abramowitz & Stegun (1972), 26.7.5.
+/// The 95 % quantile of Student's distribution with `freedom` degrees of freedom, by the first terms of its
+/// expansion: within 2 % from three degrees on. Source: Abramowitz & Stegun (1972), 26.7.5.
 #[must_use]
 pub fn student_95(freedom: f64) -> f64 {
     let (z, z3) = (NORMAL_95, NORMAL_95.powi(3));
@@ -57,7 +57,8 @@ pub fn student_95(freedom: f64) -> f64 {
 
 /// Quantile of the standard normal distribution, 0 < p < 1, relative error 1.2e-9.
 ///
-/// Rational approximation of Acklam (2003, unpublished) (coefficients compared with public copies, such as YesDrX/randgen).
+/// Rational approximation of Acklam (2003, unpublished) (coefficients compared with public copies, such as
+/// YesDrX/randgen).
 fn inverse_normal(p: f64) -> f64 {
     const A: [f64; 6] = [
         -3.969_683_028_665_376e1,

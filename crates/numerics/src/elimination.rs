@@ -1,7 +1,7 @@
 //! General systems of linear equations.
 
-/// The solution x of A x = b, n numbers, by elimination with partial pivoting; `None` if A, n rows of n numbers, is singular. Source:
-/// Golub & Van Loan (2013), *Matrix Computations*, section 3.4.
+/// The solution x of A x = b, n numbers, by elimination with partial pivoting; `None` if A, n rows of n
+/// numbers, is singular. Source: Golub & Van Loan (2013), *Matrix Computations*, section 3.4.
 pub fn solve_linear(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
     let n = right.len();
     for column in 0..n {

@@ -1,4 +1,5 @@
-//! Numerical methods that know nothing of soil: matrices, roots, minima, quadrature, random numbers, distributions and quantiles.
+//! Numerical methods that know nothing of soil: matrices, roots, minima, quadrature, random numbers,
+//! distributions and quantiles.
 //!
 //! Sums run in one fixed order, and the elementary functions are those of the standard library.
 

@@ -1,6 +1,7 @@
 //! Gauss–Legendre quadrature.
 
-/// Abscissae of the 16-point Gauss–Legendre rule on (−1, 1), positive half (Abramowitz & Stegun 1964, table 25.4).
+/// Abscissae of the 16-point Gauss–Legendre rule on (−1, 1), positive half (Abramowitz & Stegun 1964, table
+/// 25.4).
 const GAUSS_NODES: [f64; 8] = [
     0.095_012_509_837_637_44,
     0.281_603_550_779_258_9,
@@ -23,7 +24,8 @@ const GAUSS_WEIGHTS: [f64; 8] = [
     0.027_152_459_411_754_095,
 ];
 
-/// Points and weights of the 16-point Gauss–Legendre rule on `[from, to]`, which is exact for polynomials up to degree 31.
+/// Points and weights of the 16-point Gauss–Legendre rule on `[from, to]`, which is exact for polynomials up
+/// to degree 31.
 pub fn gauss_points(from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     GAUSS_NODES

@@ -1,6 +1,7 @@
 //! Quantiles of a list of numbers.
 
-/// The quantile of a portion 0 to 1 of numbers in ascending order, linear between neighbours; NaN of an empty list.
+/// The quantile of a portion 0 to 1 of numbers in ascending order, linear between neighbours; NaN of an empty
+/// list.
 #[must_use]
 pub fn quantile_of_sorted(sorted: &[f64], portion: f64) -> f64 {
     let Some(last) = sorted.len().checked_sub(1) else { return f64::NAN };

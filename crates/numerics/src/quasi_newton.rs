@@ -8,7 +8,8 @@ const STEPS: usize = 80;
 const LARGEST_STEP: f64 = 1.5;
 /// Decrease below which a search ends (chosen): differences of likelihoods that mean nothing.
 const SMALL: f64 = 1e-5;
-/// Portion of the decrease that the slope promises with which a step is content. Source: Nocedal & Wright (2006), eq. (3.4).
+/// Portion of the decrease that the slope promises with which a step is content. Source: Nocedal & Wright
+/// (2006), eq. (3.4).
 const SUFFICIENT: f64 = 1e-4;
 
 /// A minimum.
@@ -20,9 +21,11 @@ pub struct Minimum {
     pub value: f64,
 }
 
-/// Searches downhill from `start`. `function` gives value and gradient, `None` where it has none; then the step is shortened.
+/// Searches downhill from `start`. `function` gives value and gradient, `None` where it has none; then the
+/// step is shortened.
 ///
-/// `None` where the start has no value. Source: Nocedal & Wright (2006), *Numerical Optimization*, algorithm 6.1.
+/// `None` where the start has no value. Source: Nocedal & Wright (2006), *Numerical Optimization*, algorithm
+/// 6.1.
 pub fn minimise(start: Vec<f64>, function: impl Fn(&[f64]) -> Option<(f64, Vec<f64>)>) -> Option<Minimum> {
     let (mut value, mut gradient) = function(&start)?;
     let mut place = start;
@@ -77,7 +80,8 @@ fn identity(size: usize) -> Vec<Vec<f64>> {
     (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect()
 }
 
-/// The inverse of the matrix of second derivatives, corrected by a step. Source: Nocedal & Wright (2006), eq. (6.17).
+/// The inverse of the matrix of second derivatives, corrected by a step. Source: Nocedal & Wright (2006), eq.
+/// (6.17).
 fn update(inverse: &mut [Vec<f64>], step: &[f64], change: &[f64]) {
     let curvature = dot(step, change);
     // Without curvature along the step the matrix would cease to be positive definite.

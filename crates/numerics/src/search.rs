@@ -1,7 +1,8 @@
 //! Roots and minima of functions of one variable.
 
-/// A root of `f` between `a` and `b`, where its signs differ, by the Anderson–Björck variant of false position with
-/// bisection as a safeguard, within `tolerance`, in the unit of `a` and `b`. `None` if the signs do not differ or `f` is not a number there.
+/// A root of `f` between `a` and `b`, where its signs differ, by the Anderson–Björck variant of false
+/// position with bisection as a safeguard, within `tolerance`, in the unit of `a` and `b`. `None` if the
+/// signs do not differ or `f` is not a number there.
 ///
 /// Source: Anderson & Björck (1973), BIT 13, 253–264.
 pub fn root(mut a: f64, mut b: f64, tolerance: f64, mut f: impl FnMut(f64) -> f64) -> Option<f64> {
@@ -49,8 +50,8 @@ pub fn root(mut a: f64, mut b: f64, tolerance: f64, mut f: impl FnMut(f64) -> f6
     Some(best.0)
 }
 
-/// Position and value of the minimum of a unimodal `f` on `[a, b]`, by golden-section search: each of the `steps` makes the interval 0.618
-/// times as long. Source: Kiefer (1953), Proc. AMS 4.
+/// Position and value of the minimum of a unimodal `f` on `[a, b]`, by golden-section search: each of the
+/// `steps` makes the interval 0.618 times as long. Source: Kiefer (1953), Proc. AMS 4.
 pub fn minimum(mut a: f64, mut b: f64, steps: usize, f: impl Fn(f64) -> f64) -> (f64, f64) {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));

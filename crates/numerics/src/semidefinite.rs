@@ -3,8 +3,9 @@
 /// A pivot below this fraction of its diagonal entry means that the row repeats earlier ones.
 const REDUNDANT: f64 = 1e-12;
 
-/// Factors a symmetric, positive semi-definite matrix of `n` rows in place: A = L D Lᵀ, with L below the diagonal and the inverse of
-/// D on it. Rows that repeat earlier ones get an inverse of 0: their unknown is 0 and their equation is left to the others.
+/// Factors a symmetric, positive semi-definite matrix of `n` rows in place: A = L D Lᵀ, with L below the
+/// diagonal and the inverse of D on it. Rows that repeat earlier ones get an inverse of 0: their unknown is 0
+/// and their equation is left to the others.
 pub fn factor(a: &mut [f64], n: usize) {
     for i in 0..n {
         let diagonal = a[i * n + i];

@@ -3,9 +3,11 @@
 /// Largest number of dimensions of a [`Sequence`].
 pub const DIMENSIONS: usize = 20;
 
-/// Degree and coefficients of the primitive polynomial, and the initial direction numbers, from the second dimension on.
+/// Degree and coefficients of the primitive polynomial, and the initial direction numbers, from the second
+/// dimension on.
 ///
-/// Source: Joe & Kuo (2008), file new-joe-kuo-6 (compared with public copies of that file, all nineteen rows).
+/// Source: Joe & Kuo (2008), file new-joe-kuo-6 (compared with public copies of that file, all nineteen
+/// rows).
 const DIRECTIONS: [(usize, u32, [u32; 7]); DIMENSIONS - 1] = [
     (1, 0, [1, 0, 0, 0, 0, 0, 0]),
     (2, 1, [1, 3, 0, 0, 0, 0, 0]),
@@ -28,7 +30,8 @@ const DIRECTIONS: [(usize, u32, [u32; 7]); DIMENSIONS - 1] = [
     (7, 1, [1, 3, 7, 11, 23, 15, 103]),
 ];
 
-/// A low-discrepancy sequence in up to twenty dimensions, with a random digital shift; no point lies on the boundary.
+/// A low-discrepancy sequence in up to twenty dimensions, with a random digital shift; no point lies on the
+/// boundary.
 ///
 /// Source: Sobol (1967) in Gray-code order (Antonov & Saleev 1979); direction numbers of Joe & Kuo (2008).
 #[derive(Clone, Debug)]

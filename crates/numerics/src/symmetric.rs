@@ -1,6 +1,7 @@
 //! Dense symmetric matrices: Cholesky factor, solution, inverse, eigenvectors.
 //!
-//! Sums run in one fixed order, so that the bits do not depend on the vector units of the machine, as those of the libraries do.
+//! Sums run in one fixed order, so that the bits do not depend on the vector units of the machine, as those
+//! of the libraries do.
 
 /// Sums of a product that run side by side, so that they vectorise.
 const LANES: usize = 8;
@@ -81,7 +82,8 @@ impl Cholesky {
         (0..self.0.size).map(|i| 2.0 * self.0.row(i)[i].ln()).sum()
     }
 
-    /// The smallest entry of the diagonal of L, squared: what is left of a column when those before it are taken out.
+    /// The smallest entry of the diagonal of L, squared: what is left of a column when those before it are
+    /// taken out.
     pub fn smallest(&self) -> f64 {
         (0..self.0.size).map(|i| self.0.row(i)[i]).fold(f64::INFINITY, f64::min).powi(2)
     }
@@ -142,8 +144,8 @@ impl Cholesky {
 /// Rotations of Jacobi's method after which it has converged.
 const SWEEPS: usize = 60;
 
-/// Eigenvalues, the largest first, and unit eigenvectors, one in each row, of a symmetric matrix of n rows and n columns. Source: Jacobi's
-/// method as in Golub & Van Loan (2013), *Matrix Computations*, section 8.5.
+/// Eigenvalues, the largest first, and unit eigenvectors, one in each row, of a symmetric matrix of n rows
+/// and n columns. Source: Jacobi's method as in Golub & Van Loan (2013), *Matrix Computations*, section 8.5.
 pub fn eigen(matrix: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     let size = matrix.len();
     let mut a = matrix.to_vec();

@@ -1,9 +1,9 @@
 //! The eight-node brick with one integration point on a box cell: velocity gradient and hourglass control.
 //!
-//! On a box the gradient at the centre needs only four sums over the eight corners (Q1P0; Flanagan & Belytschko 1981): the
-//! plain sum and the sums signed by the side along x, y, z. These four patterns and the four hourglass patterns are an
-//! orthogonal basis of the corner values, so the hourglass component is what remains after subtracting the four sums: a
-//! viscous force against it needs no hourglass vectors.
+//! On a box the gradient at the centre needs only four sums over the eight corners (Q1P0; Flanagan &
+//! Belytschko 1981): the plain sum and the sums signed by the side along x, y, z. These four patterns and the
+//! four hourglass patterns are an orthogonal basis of the corner values, so the hourglass component is what
+//! remains after subtracting the four sums: a viscous force against it needs no hourglass vectors.
 
 use super::Real;
 
@@ -19,8 +19,8 @@ pub struct Sums {
 }
 
 impl Sums {
-    /// Sums over corner values; `v[row]` holds the corners at low and high x of the rows (y, z) = (0,0), (1,0), (0,1),
-    /// (1,1).
+    /// Sums over corner values; `v[row]` holds the corners at low and high x of the rows (y, z) = (0,0),
+    /// (1,0), (0,1), (1,1).
     #[inline(always)]
     #[must_use]
     pub fn of(v: [[Real; 2]; 4]) -> Self {
@@ -47,8 +47,8 @@ impl Sums {
     }
 }
 
-/// Coefficient of the hourglass force [kg/s]: `ε ρ c l² / 4` (Flanagan & Belytschko 1981), to be scaled by the volume
-/// fraction. The force on a corner is −coefficient · (8 v − plain ∓ side_x ∓ side_y ∓ side_z).
+/// Coefficient of the hourglass force [kg/s]: `ε ρ c l² / 4` (Flanagan & Belytschko 1981), to be scaled by
+/// the volume fraction. The force on a corner is −coefficient · (8 v − plain ∓ side_x ∓ side_y ∓ side_z).
 #[inline(always)]
 #[must_use]
 pub fn hourglass_coefficient(epsilon: Real, density: Real, wave_speed: Real, length: Real) -> Real {

@@ -1,8 +1,10 @@
-//! Undrained clay: Tresca's law with a strength of its own at every point, which remoulding takes away and the rate of shear adds to.
+//! Undrained clay: Tresca's law with a strength of its own at every point, which remoulding takes away and
+//! the rate of shear adds to.
 //!
-//! s_u = s_u0 [δ + (1 − δ) e^(−3 ξ/ξ₉₅)] [1 + μ log₁₀(γ̇/γ̇_ref)] (Einav & Randolph 2005, eq. 2): s_u0 is the strength of the intact clay
-//! at the reference rate, δ = 1/S_t the remoulded portion of it, ξ the accumulated plastic shear strain, ξ₉₅ that at which
-//! 95 % of the loss has happened; the last factor is at least 1. Free of branches, so that loops vectorise.
+//! s_u = s_u0 [δ + (1 − δ) e^(−3 ξ/ξ₉₅)] [1 + μ log₁₀(γ̇/γ̇_ref)] (Einav & Randolph 2005, eq. 2): s_u0 is the
+//! strength of the intact clay at the reference rate, δ = 1/S_t the remoulded portion of it, ξ the
+//! accumulated plastic shear strain, ξ₉₅ that at which 95 % of the loss has happened; the last factor is at
+//! least 1. Free of branches, so that loops vectorise.
 
 use super::Real;
 use super::elastic::Elastic;
@@ -63,7 +65,8 @@ impl Clay {
         }
     }
 
-    /// Strength up to the reference rate [Pa], from that of the intact clay [Pa] and the equivalent plastic strain.
+    /// Strength up to the reference rate [Pa], from that of the intact clay [Pa] and the equivalent plastic
+    /// strain.
     #[inline(always)]
     #[must_use]
     pub fn slow_strength(&self, intact: Real, plastic_strain: Real) -> Real {
@@ -89,8 +92,8 @@ impl Clay {
 impl YieldLaw for Clay {
     const HAS_STRENGTH: bool = true;
 
-    /// Compares with the circle inscribed in the hexagon of the slow strength, σ₁ − σ₃ ≤ 2 √J₂. In a remap no time passes, and there is no rate: a
-    /// stress waits for the next step.
+    /// Compares with the circle inscribed in the hexagon of the slow strength, σ₁ − σ₃ ≤ 2 √J₂. In a remap no
+    /// time passes, and there is no rate: a stress waits for the next step.
     #[inline(always)]
     fn may_yield(&self, stress: Symmetric, point: &Point) -> bool {
         let s = deviator(stress);
@@ -106,7 +109,8 @@ impl YieldLaw for Clay {
     }
 }
 
-/// e⁻ˣ for x ≥ 0, within 1e-6 of its value up to x = 20: the 64th power of the series of e^(−x/64); less than 1e-25 from x = 60 on.
+/// e⁻ˣ for x ≥ 0, within 1e-6 of its value up to x = 20: the 64th power of the series of e^(−x/64); less than
+/// 1e-25 from x = 60 on.
 #[inline(always)]
 fn decay(x: Real) -> Real {
     let y = (if x < 60.0 { x } else { 60.0 }) * (1.0 / 64.0);
@@ -118,8 +122,8 @@ fn decay(x: Real) -> Real {
     power
 }
 
-/// Natural logarithm of x from 1 to 1e15, within 1e-5: 64 times that of the 64th root, by the series of the inverse hyperbolic
-/// tangent.
+/// Natural logarithm of x from 1 to 1e15, within 1e-5: 64 times that of the 64th root, by the series of the
+/// inverse hyperbolic tangent.
 #[inline(always)]
 fn logarithm(x: Real) -> Real {
     let mut root = x;

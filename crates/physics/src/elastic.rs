@@ -59,7 +59,8 @@ impl Elastic {
     }
 }
 
-/// How elastic moduli grow with the mean pressure: with its square root, between two pressures beyond which they are constant.
+/// How elastic moduli grow with the mean pressure: with its square root, between two pressures beyond which
+/// they are constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffening {
     /// Lowest pressure at which they change [Pa].
@@ -92,8 +93,8 @@ impl Stiffening {
         Elastic { bulk: elastic.bulk * factor, shear: elastic.shear * factor }
     }
 
-    /// Elastic energy density at a stress [J/m³]: p²/(1.5 K) + q²/(6 G) with the moduli at its pressure, where these grow; the first term
-    /// is ∫ p dp/K for K ~ √p.
+    /// Elastic energy density at a stress [J/m³]: p²/(1.5 K) + q²/(6 G) with the moduli at its pressure,
+    /// where these grow; the first term is ∫ p dp/K for K ~ √p.
     #[inline(always)]
     #[must_use]
     pub fn energy(&self, elastic: Elastic, stress: Symmetric) -> Real {

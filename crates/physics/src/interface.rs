@@ -1,9 +1,10 @@
 //! A plane that cuts a unit cell at a given volume fraction (PLIC).
 //!
-//! Normal from the volume fractions round the cell (Youngs 1984); plane constant and cut volume in closed form
-//! (Scardovelli & Zaleski 2000). Everything is done in the cell's own unit coordinates.
+//! Normal from the volume fractions round the cell (Youngs 1984); plane constant and cut volume in closed
+//! form (Scardovelli & Zaleski 2000). Everything is done in the cell's own unit coordinates.
 
-/// A plane in a unit cell: soil is where `normal · x ≤ constant`, with the axes of negative normal components mirrored.
+/// A plane in a unit cell: soil is where `normal · x ≤ constant`, with the axes of negative normal components
+/// mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
     /// Absolute values of the normal's components, scaled to the sum 1.
@@ -15,7 +16,8 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The plane with the given normal (from soil to void, of any length) that encloses the volume fraction `fraction`.
+    /// The plane with the given normal (from soil to void, of any length) that encloses the volume fraction
+    /// `fraction`.
     #[must_use]
     pub fn new(normal: [f64; 3], fraction: f64) -> Self {
         let sum = normal[0].abs() + normal[1].abs() + normal[2].abs();

@@ -1,10 +1,11 @@
 //! Material-point physics of soil, and the geometry of rigid bodies.
 //!
-//! Functions take and return the quantities of one point; there are no grids, files, threads or heap allocations in them
-//! (shapes allocate when they lay out points or meshes). SI units, radians, tension positive.
+//! Functions take and return the quantities of one point; there are no grids, files, threads or heap
+//! allocations in them (shapes allocate when they lay out points or meshes). SI units, radians, tension
+//! positive.
 //!
-//! The constitutive formulas are written once, for numbers of the type `Real`, and compiled in [`double`] and in [`single`]
-//! precision.
+//! The constitutive formulas are written once, for numbers of the type `Real`, and compiled in [`double`] and
+//! in [`single`] precision.
 // The same files are included on purpose; constants have the digits of double precision.
 #![allow(clippy::duplicate_mod, clippy::excessive_precision)]
 

@@ -2,7 +2,8 @@
 
 use super::Real;
 
-/// Monotonised central slope (van Leer 1977) from the differences to the left and right neighbours, in their unit.
+/// Monotonised central slope (van Leer 1977) from the differences to the left and right neighbours, in their
+/// unit.
 #[inline(always)]
 #[must_use]
 pub fn monotonised_central(left: Real, right: Real) -> Real {

@@ -1,10 +1,11 @@
 //! The Mohr–Coulomb yield surface with the smooth flow potential of Menétrey and Willam (1995), as in Abaqus.
 //!
-//! With p the pressure, q the Mises stress and Θ the Lode angle (0 in triaxial extension, 60° in compression):
-//! yield F = R_mc q − p tan φ − c; flow G = √((ε c tan ψ)² + (R_mw q)²) − p tan ψ. R_mc is the hexagon, R_mw an ellipse
-//! through its corners on both meridians (for the default eccentricity e). The potential has no corners, so one
-//! formula covers the whole surface: a cutting-plane return mapping (Ortiz and Simo 1986) in the deviatoric plane, followed
-//! by a radial scaling to F = 0, which is exact because F is homogeneous in q.
+//! With p the pressure, q the Mises stress and Θ the Lode angle (0 in triaxial extension, 60° in
+//! compression): yield F = R_mc q − p tan φ − c; flow G = √((ε c tan ψ)² + (R_mw q)²) − p tan ψ. R_mc is the
+//! hexagon, R_mw an ellipse through its corners on both meridians (for the default eccentricity e). The
+//! potential has no corners, so one formula covers the whole surface: a cutting-plane return mapping (Ortiz
+//! and Simo 1986) in the deviatoric plane, followed by a radial scaling to F = 0, which is exact because F is
+//! homogeneous in q.
 
 use super::Real;
 use super::elastic::Elastic;
@@ -43,8 +44,8 @@ pub struct Eccentricity {
 }
 
 impl Eccentricity {
-    /// The default: ε = 0.1 and e = (3 − sin φ)/(3 + sin φ), for which the ellipse passes through the hexagon's corners; φ in
-    /// radians.
+    /// The default: ε = 0.1 and e = (3 − sin φ)/(3 + sin φ), for which the ellipse passes through the
+    /// hexagon's corners; φ in radians.
     #[must_use]
     pub fn usual(friction: Real) -> Self {
         Self { meridional: 0.1, deviatoric: (3.0 - friction.sin()) / (3.0 + friction.sin()) }
@@ -52,8 +53,8 @@ impl Eccentricity {
 }
 
 impl MenetreyWillam {
-    /// From the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa], tension cut-off [Pa]
-    /// (at most c cot φ has an effect) and the eccentricities of the potential.
+    /// From the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa],
+    /// tension cut-off [Pa] (at most c cot φ has an effect) and the eccentricities of the potential.
     #[must_use]
     pub fn new(
         elastic: Elastic,
@@ -101,8 +102,9 @@ impl MenetreyWillam {
         &self.surface
     }
 
-    /// Smallest plastic dissipation over all Lode angles for c = 0: (tan φ R_mw/R_mc − tan ψ)/tan φ. Negative for ψ close to
-    /// φ, where flow would create energy, because the ellipse lies outside the hexagon's sides.
+    /// Smallest plastic dissipation over all Lode angles for c = 0: (tan φ R_mw/R_mc − tan ψ)/tan φ. Negative
+    /// for ψ close to φ, where flow would create energy, because the ellipse lies outside the hexagon's
+    /// sides.
     #[must_use]
     pub fn least_dissipation(&self) -> Real {
         let at = |degrees: u16| {
@@ -178,8 +180,8 @@ impl YieldLaw for MenetreyWillam {
         let dilates = !point.is_critical;
         let spectrum = Spectrum::of(trial);
         let start = Iterate { x: spectrum.norm, y: 0.0, pressure: -spectrum.mean, lode: spectrum.lode() };
-        // Unrolled, so that the compiler can vectorise the loop over cells. In an explicit time step the second step leaves an
-        // error of 1e-6 of the yield stress; the scaling at the end removes the rest.
+        // Unrolled, so that the compiler can vectorise the loop over cells. In an explicit time step the
+        // second step leaves an error of 1e-6 of the yield stress; the scaling at the end removes the rest.
         let once = self.cutting_plane_step(start, start.lode, dilates);
         let twice = self.cutting_plane_step(once, start.lode, dilates);
         let Iterate { x, y, pressure, lode } = self.cutting_plane_step(twice, start.lode, dilates);
@@ -194,8 +196,8 @@ impl YieldLaw for MenetreyWillam {
     }
 }
 
-/// An iterate of the return mapping, in the deviatoric plane spanned by the trial deviator (x) and the direction
-/// perpendicular to it (y); the Mises stress is √1.5 times the distance from the origin.
+/// An iterate of the return mapping, in the deviatoric plane spanned by the trial deviator (x) and the
+/// direction perpendicular to it (y); the Mises stress is √1.5 times the distance from the origin.
 #[derive(Clone, Copy)]
 struct Iterate {
     x: Real,
@@ -205,8 +207,8 @@ struct Iterate {
     lode: (Real, Real),
 }
 
-/// Restricts a point of the deviatoric plane to the sextant 0 ≤ Θ ≤ 60° of the trial stress, whose Lode angle has this
-/// cosine and sine. Returns the point with the cosine and sine of its own Lode angle.
+/// Restricts a point of the deviatoric plane to the sextant 0 ≤ Θ ≤ 60° of the trial stress, whose Lode angle
+/// has this cosine and sine. Returns the point with the cosine and sine of its own Lode angle.
 #[inline(always)]
 fn within_sextant(x: Real, y: Real, cos: Real, sin: Real) -> (Real, Real, (Real, Real)) {
     const HALF_SQRT_3: Real = 0.866_025_403_784_438_6;

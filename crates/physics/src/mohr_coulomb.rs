@@ -1,10 +1,11 @@
-//! Mohr–Coulomb plasticity with a non-associated flow rule and a tension cut-off; Tresca is its case φ = ψ = 0.
+//! Mohr–Coulomb plasticity with a non-associated flow rule and a tension cut-off; Tresca is its case φ = ψ =
+//! 0.
 //!
-//! Yield: (σ₁ − σ₃) + (σ₁ + σ₃) sin φ = 2 c cos φ, σ₁ ≥ σ₂ ≥ σ₃, tension positive. Flow: the same with ψ for φ.
-//! The return mapping is the closed form in principal stresses of de Souza Neto, Perić & Owen (2008, ch. 8): main plane, two
-//! edges, apex, then the tension cut-off of the principal stresses. c = 0 needs no special treatment: the apex is
-//! then the stress-free state, and the opening beyond it is recorded as gap strain. Free of branches, so that loops
-//! vectorise.
+//! Yield: (σ₁ − σ₃) + (σ₁ + σ₃) sin φ = 2 c cos φ, σ₁ ≥ σ₂ ≥ σ₃, tension positive. Flow: the same with ψ for
+//! φ. The return mapping is the closed form in principal stresses of de Souza Neto, Perić & Owen (2008, ch.
+//! 8): main plane, two edges, apex, then the tension cut-off of the principal stresses. c = 0 needs no
+//! special treatment: the apex is then the stress-free state, and the opening beyond it is recorded as gap
+//! strain. Free of branches, so that loops vectorise.
 
 use super::Real;
 use super::elastic::Elastic;
@@ -80,8 +81,8 @@ impl Flow {
 }
 
 impl MohrCoulomb {
-    /// From the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa] and tension cut-off [Pa]
-    /// (at most c cot φ has an effect).
+    /// From the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa] and
+    /// tension cut-off [Pa] (at most c cot φ has an effect).
     #[must_use]
     pub fn new(
         elastic: Elastic,
@@ -123,7 +124,8 @@ impl MohrCoulomb {
         }
     }
 
-    /// Yield function (σ₁ − σ₃) + (σ₁ + σ₃) sin φ − 2 c cos φ [Pa] of the principal stresses [Pa], largest first.
+    /// Yield function (σ₁ − σ₃) + (σ₁ + σ₃) sin φ − 2 c cos φ [Pa] of the principal stresses [Pa], largest
+    /// first.
     #[inline(always)]
     #[must_use]
     pub fn yield_function(&self, [s1, _, s3]: [Real; 3]) -> Real {
@@ -143,7 +145,8 @@ impl MohrCoulomb {
         self.apex
     }
 
-    /// The result for a trial stress that is mapped to these principal stresses, with the same principal axes.
+    /// The result for a trial stress that is mapped to these principal stresses, with the same principal
+    /// axes.
     #[inline(always)]
     pub(crate) fn returned(&self, trial: &Spectrum, value: [Real; 3]) -> Returned {
         let stress = trial.with_principal(value);

@@ -2,17 +2,19 @@
 //!
 //! With p = −tr σ/3 and q = √(3/2 s:s), two mechanisms yield:
 //!
-//! * **Shear**: q = η g(θ) p. g is the shape of Matsuoka and Nakai's surface as Sheng, Sloan and Yu (2000) write it, 1 in
-//!   triaxial compression. The mobilised stress ratio η = x η_p grows with the plastic shear strain γ = 2 a x²/(1 − x) towards that of
-//!   the peak, η_p = M + k_b I_R: elastic at first, half of it at γ = a. M is the stress ratio of the critical state,
-//!   I_R = I_D (Q − ln p) − R the relative dilatancy index of Bolton (1986), which does not change below 150 kPa (Bolton 1987), I_D the
-//!   relative density. Flow is radial in the deviatoric plane; plastic volume compacts by D = A (M − k_d I_R − η) per plastic shear
-//!   strain. At the peak that is a multiple of I_R; where I_R = 0, D vanishes at η = M: the critical state.
-//! * **Compression**: p = p_c, the preconsolidation pressure, which grows with the compaction at a plastic bulk modulus that rises
-//!   with pressure (Janbu 1963) and density.
+//! * **Shear**: q = η g(θ) p. g is the shape of Matsuoka and Nakai's surface as Sheng, Sloan and Yu (2000)
+//!   write it, 1 in triaxial compression. The mobilised stress ratio η = x η_p grows with the plastic shear
+//!   strain γ = 2 a x²/(1 − x) towards that of the peak, η_p = M + k_b I_R: elastic at first, half of it at
+//!   γ = a. M is the stress ratio of the critical state, I_R = I_D (Q − ln p) − R the relative dilatancy
+//!   index of Bolton (1986), which does not change below 150 kPa (Bolton 1987), I_D the relative density.
+//!   Flow is radial in the deviatoric plane; plastic volume compacts by D = A (M − k_d I_R − η) per plastic
+//!   shear strain. At the peak that is a multiple of I_R; where I_R = 0, D vanishes at η = M: the critical
+//!   state.
+//! * **Compression**: p = p_c, the preconsolidation pressure, which grows with the compaction at a plastic
+//!   bulk modulus that rises with pressure (Janbu 1963) and density.
 //!
-//! Density is the state that both share: what shear and compression compact is denser, and so stronger. Elastic moduli grow with
-//! the square root of the pressure. Free of branches, so that loops vectorise.
+//! Density is the state that both share: what shear and compression compact is denser, and so stronger.
+//! Elastic moduli grow with the square root of the pressure. Free of branches, so that loops vectorise.
 
 use super::Real;
 use super::elastic::{Elastic, Stiffening};
@@ -21,33 +23,38 @@ use super::yield_law::{Memory, Point, Returned, YieldLaw};
 
 /// Pressure to which the compression modulus refers [Pa].
 const ATMOSPHERE: Real = 1e5;
-/// Pressure up to which the reference strain is constant [Pa]. Below it triaxial tests of Toyoura sand show no change (Fukushima and
-/// Tatsuoka 1984).
+/// Pressure up to which the reference strain is constant [Pa]. Below it triaxial tests of Toyoura sand show
+/// no change (Fukushima and Tatsuoka 1984).
 const CONSTANT_STRAIN: Real = 2e4;
 /// Least mobilised share x of the peak at which the hardening is evaluated: it has no bound at x = 0.
 const LEAST_SHARE: Real = 0.02;
 /// Pressures between which Bolton's index changes [Pa]: it is constant below 150 kPa (Bolton 1987).
 const INDEX_PRESSURE: [Real; 2] = [1.5e5, 1e6];
-/// Range of Bolton's index (he found none above 4; the lower bound only keeps the index of soil that was thrown up in range).
+/// Range of Bolton's index (he found none above 4; the lower bound only keeps the index of soil that was
+/// thrown up in range).
 const INDEX: [Real; 2] = [-4.0, 4.0];
-/// Lowest pressure at which the compression modulus is evaluated [Pa]; chosen: the weight of a few millimetres of sand.
+/// Lowest pressure at which the compression modulus is evaluated [Pa]; chosen: the weight of a few
+/// millimetres of sand.
 const LEAST_PRESSURE: Real = 50.0;
 /// Largest D over 3 G/(K M), at which a return under constrained volume has no solution.
 const MOST_CONTRACTION: f64 = 0.7;
-/// A, the slope of the dilatancy over the stress ratio. Like the constants below fitted to the tests of Karlsruhe fine sand (Wichtmann
-/// and Triantafyllidis 2016) and of Toyoura sand (Fukushima and Tatsuoka 1984) together.
+/// A, the slope of the dilatancy over the stress ratio. Like the constants below fitted to the tests of
+/// Karlsruhe fine sand (Wichtmann and Triantafyllidis 2016) and of Toyoura sand (Fukushima and Tatsuoka 1984)
+/// together.
 const DILATANCY: f64 = 0.6;
-/// Peak friction angle less the critical one over Bolton's index, in triaxial compression: 4.0° [rad]. Sand that softens passes its peak
-/// short of it; of what is reached Bolton (1986) found 3°.
+/// Peak friction angle less the critical one over Bolton's index, in triaxial compression: 4.0° [rad]. Sand
+/// that softens passes its peak short of it; of what is reached Bolton (1986) found 3°.
 const PEAK_ANGLE: f64 = 0.069_813_170_079_773_18;
 /// Dilatancy −dε_v/dε₁ at the peak over Bolton's index (Bolton 1986: 0.3).
 const PEAK_DILATANCY: f64 = 0.28;
-/// Range of the relative density, wider than that of the standard tests: sand may be laid looser than in them, and vibration or shear
-/// may pack it closer. Soil that was thrown up has no density to speak of, and none is packed closer than this: grains do not crush.
+/// Range of the relative density, wider than that of the standard tests: sand may be laid looser than in
+/// them, and vibration or shear may pack it closer. Soil that was thrown up has no density to speak of, and
+/// none is packed closer than this: grains do not crush.
 pub const RELATIVE_DENSITY: [f64; 2] = [-0.5, 1.2];
 /// Compression modulus of sand in its densest state [Pa].
 const RIGID: Real = 1e15;
-/// How the reference strain falls and the compression modulus rises with the relative density: exponents of e.
+/// How the reference strain falls and the compression modulus rises with the relative density: exponents of
+/// e.
 const STRAIN_DENSITY: Real = -1.5;
 const COMPRESSION_DENSITY: Real = 1.15;
 
@@ -207,8 +214,8 @@ struct Moduli {
     compression: Real,
 }
 
-/// A return in shear: the plastic shear strain is the ratio of what lies `beyond` the surface [Pa] to a `slope` [Pa], and each unit
-/// of it lowers the pressure by `relief` [Pa].
+/// A return in shear: the plastic shear strain is the ratio of what lies `beyond` the surface [Pa] to a
+/// `slope` [Pa], and each unit of it lowers the pressure by `relief` [Pa].
 #[derive(Clone, Copy)]
 struct Shearing {
     pressure: Real,
@@ -321,8 +328,8 @@ fn exponential(x: Real) -> Real {
     y * y
 }
 
-/// Natural logarithm within 5e-6 for 150 ≤ x ≤ 1000: twice that of √x, by the series of the inverse hyperbolic tangent about
-/// √(150 · 1000).
+/// Natural logarithm within 5e-6 for 150 ≤ x ≤ 1000: twice that of √x, by the series of the inverse
+/// hyperbolic tangent about √(150 · 1000).
 #[inline(always)]
 fn logarithm(x: Real) -> Real {
     const MIDDLE: Real = 387.298_334_620_741_7;
@@ -333,7 +340,8 @@ fn logarithm(x: Real) -> Real {
     LOG_MIDDLE + 4.0 * t * (1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0))))
 }
 
-// Comparisons, which become blends; the methods of floats treat what is not a number with care, and do not vectorise.
+// Comparisons, which become blends; the methods of floats treat what is not a number with care, and do not
+// vectorise.
 #[inline(always)]
 fn max(a: Real, b: Real) -> Real {
     if a > b { a } else { b }

@@ -53,8 +53,9 @@ pub fn mises(a: Symmetric) -> Real {
     (1.5 * contract(s, s)).sqrt()
 }
 
-/// Jaumann rate of a tensor that rotates with the material: `w a − a w`, with the spin `w = [w_xy, w_yz, w_xz]`, the
-/// upper triangle of the skew-symmetric part of the velocity gradient, `w_ij = ½(∂v_i/∂x_j − ∂v_j/∂x_i)`.
+/// Jaumann rate of a tensor that rotates with the material: `w a − a w`, with the spin
+/// `w = [w_xy, w_yz, w_xz]`, the upper triangle of the skew-symmetric part of the velocity gradient,
+/// `w_ij = ½(∂v_i/∂x_j − ∂v_j/∂x_i)`.
 #[inline(always)]
 #[must_use]
 pub fn jaumann(a: Symmetric, w: [Real; 3]) -> Symmetric {
@@ -72,9 +73,9 @@ pub fn jaumann(a: Symmetric, w: [Real; 3]) -> Symmetric {
 
 /// Principal values in closed form, and the two deviatoric directions in which they are expressed.
 ///
-/// Without eigenvectors and trigonometric functions: `cos 3θ` and `sin 3θ` follow from two invariants that are accurate at
-/// the meridians (where the arc cosine of the usual formula loses half the digits), the complex cube root from three Newton
-/// steps.
+/// Without eigenvectors and trigonometric functions: `cos 3θ` and `sin 3θ` follow from two invariants that
+/// are accurate at the meridians (where the arc cosine of the usual formula loses half the digits), the
+/// complex cube root from three Newton steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Spectrum {
     /// Mean value.
@@ -127,14 +128,16 @@ impl Spectrum {
         Self { mean, norm, principal, radial, hoop, radial_principal, hoop_principal }
     }
 
-    /// Cosine and sine of the Lode angle Θ: 0 where the two smaller principal values are equal, 60° where the two larger are.
+    /// Cosine and sine of the Lode angle Θ: 0 where the two smaller principal values are equal, 60° where the
+    /// two larger are.
     #[inline(always)]
     #[must_use]
     pub fn lode(&self) -> (Real, Real) {
         (self.radial_principal[0] / SQRT_2_3, -self.hoop_principal[0] / SQRT_2_3)
     }
 
-    /// Principal values of the tensor with this mean and the deviator components `along` `radial` and `across`, along `hoop`.
+    /// Principal values of the tensor with this mean and the deviator components `along` `radial` and
+    /// `across`, along `hoop`.
     #[inline(always)]
     #[must_use]
     pub fn principal_at(&self, mean: Real, along: Real, across: Real) -> [Real; 3] {
@@ -170,8 +173,8 @@ fn cube_root(cos3: Real, sin3: Real) -> (Real, Real) {
     let (a, b) = if size > 1e-12 { (cos3 * scale, sin3 * scale) } else { (1.0, 0.0) };
     let mut c = 0.75 + 0.25 * a;
     let mut s = (1.0 - c * c).max(0.0).sqrt();
-    // Newton for z³ = w on the unit circle, where 1/z² is the conjugate's square. An error e of the angle becomes e³/3; the
-    // initial error is below 0.21, so the third step is exact to rounding.
+    // Newton for z³ = w on the unit circle, where 1/z² is the conjugate's square. An error e of the angle
+    // becomes e³/3; the initial error is below 0.21, so the third step is exact to rounding.
     for _ in 0..3 {
         let (re, im) = (c * c - s * s, 2.0 * c * s);
         let x = 2.0 * c + a * re + b * im;

@@ -1,14 +1,14 @@
 //! Bulk viscosity: a pressure that resists fast changes of volume.
 //!
-//! q = ρ b₁ c l ε̇ᵥ − ρ (b₂ l ε̇ᵥ)² for compression (von Neumann & Richtmyer 1950; Landshoff 1955), as a stress, tension
-//! positive. The linear term also acts in expansion, against oscillations of dilating soil. It must stay small compared with the
-//! contact stress: in frictional soil it acts like a confining pressure.
+//! q = ρ b₁ c l ε̇ᵥ − ρ (b₂ l ε̇ᵥ)² for compression (von Neumann & Richtmyer 1950; Landshoff 1955), as a
+//! stress, tension positive. The linear term also acts in expansion, against oscillations of dilating soil.
+//! It must stay small compared with the contact stress: in frictional soil it acts like a confining pressure.
 
 use super::Real;
 
-/// Length of a box cell that is not a cube [m]: the mean of its `widths` along x, y, z [m], weighted by the squares of the normal
-/// strain `rates` along them [1/s]. A wave along an axis is damped as in cubes of the cell's width along it; a flow that changes no
-/// volume has no viscous pressure, whatever its direction.
+/// Length of a box cell that is not a cube [m]: the mean of its `widths` along x, y, z [m], weighted by the
+/// squares of the normal strain `rates` along them [1/s]. A wave along an axis is damped as in cubes of the
+/// cell's width along it; a flow that changes no volume has no viscous pressure, whatever its direction.
 #[inline(always)]
 #[must_use]
 pub fn strained_width(widths: [Real; 3], rates: [Real; 3]) -> Real {
@@ -40,7 +40,8 @@ impl BulkViscosity {
         Self { linear: exact.linear as Real, quadratic: exact.quadratic as Real }
     }
 
-    /// Viscous stress [Pa], negative in compression, for a cell of size `length` [m] at volumetric rate ε̇ᵥ [1/s].
+    /// Viscous stress [Pa], negative in compression, for a cell of size `length` [m] at volumetric rate
+    /// ε̇ᵥ [1/s].
     #[inline(always)]
     #[must_use]
     pub fn stress(&self, length: Real, volumetric_rate: Real) -> Real {

@@ -1,9 +1,9 @@
 //! Von Mises plasticity with linear isotropic hardening: metals.
 //!
 //! Yield: q = √(3/2 s:s) = σ_y + H ε̄ₚ (von Mises 1913), ε̄ₚ = ∫√(⅔ ε̇ₚ:ε̇ₚ) dt, with associated flow. The
-//! deviator of the trial stress is scaled radially (Wilkins 1964), which for linear hardening is the implicit return in
-//! closed form (Krieg & Key 1976): Δε̄ₚ = (q − σ_y − H ε̄ₚ)/(3 G + H). Pressure and hydrostatic tension are unlimited. Free
-//! of branches, so that loops vectorise.
+//! deviator of the trial stress is scaled radially (Wilkins 1964), which for linear hardening is the implicit
+//! return in closed form (Krieg & Key 1976): Δε̄ₚ = (q − σ_y − H ε̄ₚ)/(3 G + H). Pressure and hydrostatic
+//! tension are unlimited. Free of branches, so that loops vectorise.
 
 use super::Real;
 use super::elastic::Elastic;
@@ -24,8 +24,8 @@ pub struct VonMises {
 }
 
 impl VonMises {
-    /// From the initial yield stress in uniaxial tension σ_y > 0 [Pa] and the hardening modulus H ≥ 0 [Pa], the slope of the
-    /// flow stress over the plastic strain.
+    /// From the initial yield stress in uniaxial tension σ_y > 0 [Pa] and the hardening modulus H ≥ 0 [Pa],
+    /// the slope of the flow stress over the plastic strain.
     #[must_use]
     pub fn new(elastic: Elastic, yield_stress: Real, hardening: Real) -> Self {
         let stiffness = 3.0 * elastic.shear;

@@ -23,13 +23,15 @@ pub struct Point {
     pub stress: Symmetric,
     /// Density [kg/m³].
     pub density: Real,
-    /// Whether it is at the critical density of a law with a constant dilation angle, which is then taken as 0.
+    /// Whether it is at the critical density of a law with a constant dilation angle, which is then taken as
+    /// 0.
     pub is_critical: bool,
     /// Equivalent plastic strain.
     pub plastic_strain: Real,
     /// What the soil remembers, for laws that depend on it.
     pub memory: Memory,
-    /// Length of the step [s]: 0 in a remap, infinite where the soil is strained so slowly that its rate plays no role.
+    /// Length of the step [s]: 0 in a remap, infinite where the soil is strained so slowly that its rate
+    /// plays no role.
     pub duration: Real,
 }
 
@@ -48,12 +50,14 @@ pub struct Returned {
 
 /// A yield surface with its flow rule.
 ///
-/// Implementations are free of branches, so that loops over cells vectorise. Laws use what they depend on of the point.
+/// Implementations are free of branches, so that loops over cells vectorise. Laws use what they depend on of
+/// the point.
 pub trait YieldLaw {
     /// Whether the law depends on stress, density and memory of the point, and changes the memory.
     const REMEMBERS: bool = false;
 
-    /// Whether the law depends on the strength of the intact soil at the point, and on the length of the step.
+    /// Whether the law depends on the strength of the intact soil at the point, and on the length of the
+    /// step.
     const HAS_STRENGTH: bool = false;
 
     /// Whether a stress may lie outside the yield surface: a cheap check without false negatives.

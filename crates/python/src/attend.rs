@@ -1,5 +1,5 @@
-//! Work that goes on beside the interpreter: on a thread of its own, while the calling thread serves what it asks and watches for
-//! Ctrl-C. The only file of the crate that starts threads, with `pool`.
+//! Work that goes on beside the interpreter: on a thread of its own, while the calling thread serves what it
+//! asks and watches for Ctrl-C. The only file of the crate that starts threads, with `pool`.
 
 use crate::failure::internal;
 use coulter::interrupts::Interrupts;
@@ -23,10 +23,12 @@ pub(crate) fn ask_to_stop(interrupts: &Interrupts) {
 /// A question of the work to the calling thread, with the way of the answer: whether to go on.
 pub(crate) type Question<Q> = (Q, SyncSender<bool>);
 
-/// Lets `work` run on a thread of its own without the interpreter's lock, and serves its questions in this one, in their order.
+/// Lets `work` run on a thread of its own without the interpreter's lock, and serves its questions in this
+/// one, in their order.
 ///
 /// # Errors
-/// The first exception that `serve` or a signal has raised: `stop` has been called then, and the work has finished.
+/// The first exception that `serve` or a signal has raised: `stop` has been called then, and the work has
+/// finished.
 pub(crate) fn attend<Q: Send, T: Send>(
     py: Python<'_>,
     work: impl FnOnce(SyncSender<Question<Q>>) -> T + Send,

@@ -12,8 +12,8 @@ mod exception {
 }
 pub(crate) use exception::NativeFailure;
 
-/// The exception for a failure: its kind (`case`, `request`, `physics`, `stopped`, `internal`), its text, and as JSON the problems of a
-/// case.
+/// The exception for a failure: its kind (`case`, `request`, `physics`, `stopped`, `internal`), its text, and
+/// as JSON the problems of a case.
 pub(crate) fn raised(failure: &Failure) -> PyErr {
     match failure {
         Failure::Case(error) => wrong_case(error),

@@ -58,7 +58,8 @@ fn last(history: &History, references: &[Reference]) -> SampleValues {
     }
 }
 
-/// Calls a function with a sample, as `(time, {name: numbers})`; whether the run is to go on, which it returns.
+/// Calls a function with a sample, as `(time, {name: numbers})`; whether the run is to go on, which it
+/// returns.
 pub(crate) fn told(callback: &Bound<'_, PyAny>, sample: &SampleValues) -> PyResult<bool> {
     let py = callback.py();
     let bodies = PyDict::new(py);

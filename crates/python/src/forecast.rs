@@ -1,6 +1,7 @@
 //! `coulter.forecast`: the closed-form models at many points.
 //!
-//! A point is the case with some keys set, as `coulter forecast --set` would set them, so that its numbers are those of the command.
+//! A point is the case with some keys set, as `coulter forecast --set` would set them, so that its numbers
+//! are those of the command.
 
 use crate::attend::{Question, attend};
 use crate::failure::{internal, refused, wrong_case};
@@ -130,9 +131,9 @@ impl Points<'_> {
     }
 }
 
-/// The closed-form models at many points. `columns` holds the values of each key that varies, as bytes of 64-bit numbers. Returns the
-/// rows (models, or the recommended one), of each quantity its unit and its numbers row by row as bytes, and for every row and point the
-/// model and the reason why it has no numbers.
+/// The closed-form models at many points. `columns` holds the values of each key that varies, as bytes of
+/// 64-bit numbers. Returns the rows (models, or the recommended one), of each quantity its unit and its
+/// numbers row by row as bytes, and for every row and point the model and the reason why it has no numbers.
 ///
 /// # Errors
 /// `Failure` where nothing can be said at any point, with the reason at the first; `KeyboardInterrupt`.
@@ -209,7 +210,8 @@ fn document<'py>(py: Python<'py>, which: &Which, said: &[AtPoint]) -> PyResult<B
     Ok(document)
 }
 
-/// The rows: every model that there is at some point, in the order in which they come, or the one that is asked for.
+/// The rows: every model that there is at some point, in the order in which they come, or the one that is
+/// asked for.
 fn rows(which: &Which, said: &[AtPoint]) -> Vec<String> {
     let mut rows = match which {
         Which::All => Vec::new(),

@@ -1,7 +1,8 @@
 //! `coulter._native`: what the Python package calls.
 //!
-//! Requests come as JSON and columns as bytes, so that names, defaults and checks of types stand once, in the Python part of the
-//! package. Every call lets go of the interpreter's lock while it works, and honours Ctrl-C.
+//! Requests come as JSON and columns as bytes, so that names, defaults and checks of types stand once, in the
+//! Python part of the package. Every call lets go of the interpreter's lock while it works, and honours
+//! Ctrl-C.
 
 mod attend;
 mod check;

@@ -2,7 +2,8 @@
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// The results of `work` for the numbers below `count`, in their order, on as many threads; `None` if `stop` was set meanwhile.
+/// The results of `work` for the numbers below `count`, in their order, on as many threads; `None` if `stop`
+/// was set meanwhile.
 pub(crate) fn map<T: Send>(
     count: usize,
     threads: usize,

@@ -63,8 +63,9 @@ impl RunCall {
     }
 }
 
-/// Runs a case to its end, or until `on_sample(time, bodies)` returns `False` or raises, or Ctrl-C. `warn(text)` gets the warnings
-/// before it begins. Returns the results folder, how it ended (`finished`, `stopped` or `broken`), and of a broken one why.
+/// Runs a case to its end, or until `on_sample(time, bodies)` returns `False` or raises, or Ctrl-C.
+/// `warn(text)` gets the warnings before it begins. Returns the results folder, how it ended (`finished`,
+/// `stopped` or `broken`), and of a broken one why.
 ///
 /// # Errors
 /// `Failure`; the exception of a callback; `KeyboardInterrupt`. A run that has begun leaves a checkpoint.

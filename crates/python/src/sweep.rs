@@ -55,7 +55,8 @@ impl Watcher for Telling<'_> {
     }
 }
 
-/// Runs what is left of a study and collects it; `on_case(point, id, state, reason)` is called for every case that ends. Returns its folder, and how many cases have become what, as JSON.
+/// Runs what is left of a study and collects it; `on_case(point, id, state, reason)` is called for every case
+/// that ends. Returns its folder, and how many cases have become what, as JSON.
 ///
 /// # Errors
 /// `Failure`; the exception of the callback; `KeyboardInterrupt`. What has ended is kept.

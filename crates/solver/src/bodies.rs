@@ -5,7 +5,8 @@ use crate::state::State;
 use glam::DVec3;
 use mechanics::{Conditions, Mechanism, Step};
 
-/// Velocities of the bodies in the step, without contact: prescribed, or accelerated by loads, gravity and joints.
+/// Velocities of the bodies in the step, without contact: prescribed, or accelerated by loads, gravity and
+/// joints.
 pub(crate) fn predict<R>(model: &Model, mechanism: &Mechanism, state: &State<R>, step: &mut Step) {
     let conditions =
         Conditions { time: state.time, dt: model.time_step(), gravity: model.gravity * model.down };

@@ -14,20 +14,23 @@ pub enum Boundary {
     RoughWall,
     /// A plane of symmetry: what lies beyond it mirrors what is modelled.
     Symmetry,
-    /// Undisturbed ground lies beyond it, at rest under geostatic stress, and enters where the grid moves that way.
+    /// Undisturbed ground lies beyond it, at rest under geostatic stress, and enters where the grid moves
+    /// that way.
     Inflow,
-    /// Soil leaves through it where the grid moves the other way. What lies beyond is at rest and like the soil next to it.
+    /// Soil leaves through it where the grid moves the other way. What lies beyond is at rest and like the
+    /// soil next to it.
     Outflow,
-    /// Undisturbed ground lies beyond it and bears what it bears at rest, however the soil moves: the face yields, soil leaves and
-    /// ground enters. Every step the cells beyond start from their stress at rest, strained by the nodes of the face against others at
-    /// rest, so that waves leave in part.
+    /// Undisturbed ground lies beyond it and bears what it bears at rest, however the soil moves: the face
+    /// yields, soil leaves and ground enters. Every step the cells beyond start from their stress at rest,
+    /// strained by the nodes of the face against others at rest, so that waves leave in part.
     ConstantStress,
     /// No boundary of the domain but a cut, beyond which lies another block.
     Halo,
 }
 
 impl Boundary {
-    /// Which velocity components vanish at a node on a face across `axis`; at constant stress, at the nodes beyond it.
+    /// Which velocity components vanish at a node on a face across `axis`; at constant stress, at the nodes
+    /// beyond it.
     #[must_use]
     pub fn holds(self, axis: usize) -> [bool; 3] {
         match self {
@@ -73,7 +76,8 @@ impl Boundaries {
         if grid.is_cut(axis, end) { Boundary::Halo } else { self.0[axis][end] }
     }
 
-    /// Which velocity components no boundary holds at a node; `layer` is the node's layer along each axis in the whole grid.
+    /// Which velocity components no boundary holds at a node; `layer` is the node's layer along each axis in
+    /// the whole grid.
     #[must_use]
     pub fn free_components(&self, grid: &Grid, layer: [usize; 3]) -> [bool; 3] {
         let mut free = [true; 3];
@@ -98,8 +102,8 @@ impl Boundaries {
         self.0.as_flattened().contains(&Boundary::ConstantStress)
     }
 
-    /// Layers of cells of a block that are strained along `axis`: those of the domain, with the ghost layers of cuts, and the first
-    /// layer beyond a boundary at constant stress.
+    /// Layers of cells of a block that are strained along `axis`: those of the domain, with the ghost layers
+    /// of cuts, and the first layer beyond a boundary at constant stress.
     #[must_use]
     pub fn strained(&self, grid: &Grid, axis: usize) -> Range<usize> {
         let inside = grid.inside(axis);
@@ -138,14 +142,15 @@ impl Symmetry {
         self.across.iter().map(|is_plane| if *is_plane { 0.5 } else { 1.0 }).product()
     }
 
-    /// A vector of the whole, such as a force, from the sum over the modelled portion and its mirror images: components across
-    /// a plane cancel.
+    /// A vector of the whole, such as a force, from the sum over the modelled portion and its mirror images:
+    /// components across a plane cancel.
     #[must_use]
     pub fn of_whole(self, sum: DVec3) -> DVec3 {
         DVec3::from_array(std::array::from_fn(|axis| if self.across[axis] { 0.0 } else { sum[axis] }))
     }
 
-    /// A moment of the whole, from the sum over the modelled portion and its mirror images: components along a plane cancel, for a mirror turns them round.
+    /// A moment of the whole, from the sum over the modelled portion and its mirror images: components along
+    /// a plane cancel, for a mirror turns them round.
     #[must_use]
     pub fn moment_of_whole(self, sum: DVec3) -> DVec3 {
         let cancels = |axis: usize| (0..3).any(|plane| plane != axis && self.across[plane]);

@@ -64,8 +64,8 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     Ok(())
 }
 
-/// Offending node of all blocks: of those with a velocity component that `is_bad`, or of all where there is none, the one
-/// that has moved farthest since the last remap.
+/// Offending node of all blocks: of those with a velocity component that `is_bad`, or of all where there is
+/// none, the one that has moved farthest since the last remap.
 fn offending_node<R: Precision>(
     model: &Model,
     state: &State<R>,

@@ -1,9 +1,10 @@
 //! Voids between soil and soil: they close before the soil round them is compressed.
 //!
-//! The Lagrangian stage strains the soil of a partly filled cell by the strain of the whole cell, and lets it bear the stress (the mean
-//! strain rate of Benson 1992). At a free surface nothing lies above that could rest on it. Between soil and soil such a cell would
-//! carry what lies above, and its void would stay for ever. There the void is lent to the soil as gap strain after each remap, so that
-//! it bears no stress until the void is closed; at the next remap what the void has taken up is not taken from the soil's volume. Soil
+//! The Lagrangian stage strains the soil of a partly filled cell by the strain of the whole cell, and lets it
+//! bear the stress (the mean strain rate of Benson 1992). At a free surface nothing lies above that could
+//! rest on it. Between soil and soil such a cell would carry what lies above, and its void would stay for
+//! ever. There the void is lent to the soil as gap strain after each remap, so that it bears no stress until
+//! the void is closed; at the next remap what the void has taken up is not taken from the soil's volume. Soil
 //! that bears tension (clay, metal, elastic soil) spans the void of its cell and is left as it is.
 
 use crate::boundary::Boundary;
@@ -16,16 +17,18 @@ use crate::state::Soil;
 
 /// Volume fraction from which on soil can bear what lies above it (chosen).
 const BEARS: f64 = 0.9;
-/// Volume fraction from which on a cell has no void to close: remaps leave that of soil that shears a little below 1 (chosen).
+/// Volume fraction from which on a cell has no void to close: remaps leave that of soil that shears a little
+/// below 1 (chosen).
 const CLOSED: f64 = 0.98;
-/// Volume fraction of the cell above, over that of a cell, from which on soil lies on top of it (chosen): above a free surface there is
-/// less, and a column that falls through a slot is about as full everywhere.
+/// Volume fraction of the cell above, over that of a cell, from which on soil lies on top of it (chosen):
+/// above a free surface there is less, and a column that falls through a slot is about as full everywhere.
 const LOAD: f64 = 0.5;
-/// How many cells away, on both sides, there must be soil that can bear. One less than there are ghost layers: the first of these then has
-/// the same voids as in the block that owns it.
+/// How many cells away, on both sides, there must be soil that can bear. One less than there are ghost
+/// layers: the first of these then has the same voids as in the block that owns it.
 const REACH: usize = GHOSTS - 1;
 
-/// Takes back what is left of the voids that were lent, before a remap; afterwards [`Soil::apart`] is what has closed.
+/// Takes back what is left of the voids that were lent, before a remap; afterwards [`Soil::apart`] is what
+/// has closed.
 pub(crate) fn take_back<R: Scalar>(soil: &mut Soil<R>, workspace: &SoilWorkspace<R>) {
     let SoilWorkspace { team, partition, .. } = workspace;
     let (gap, void) = (&mut soil.history[GAP_STRAIN], &mut soil.apart);
@@ -39,8 +42,8 @@ pub(crate) fn take_back<R: Scalar>(soil: &mut Soil<R>, workspace: &SoilWorkspace
     });
 }
 
-/// Lends voids between soil and soil to the soil of their cells, after a remap. Bodies occupy `body_fraction` of the cells; a void beside a
-/// body is the body's to close.
+/// Lends voids between soil and soil to the soil of their cells, after a remap. Bodies occupy `body_fraction`
+/// of the cells; a void beside a body is the body's to close.
 pub(crate) fn lend<R: Scalar>(model: &Model, soil: &mut Soil<R>, workspace: &SoilWorkspace<R>) {
     soil.apart.fill(R::default());
     let rows: Vec<usize> =
@@ -88,8 +91,8 @@ impl<R: Scalar> Surroundings<'_, R> {
         cells.filter(|c| self.is_enclosed(*c)).map(|c| (c, 1.0 - self.fraction[c].to_f64())).collect()
     }
 
-    /// Whether soil lies on both sides of a cell along some axis; beside it only where soil lies on top of it as well, for the soil at a
-    /// free surface has nothing else that holds it.
+    /// Whether soil lies on both sides of a cell along some axis; beside it only where soil lies on top of it
+    /// as well, for the soil at a free surface has nothing else that holds it.
     fn is_enclosed(&self, cell: usize) -> bool {
         let fraction = self.fraction[cell].to_f64();
         if fraction <= 0.0 || fraction >= CLOSED || self.body_fraction[cell] > R::default() {
@@ -100,8 +103,8 @@ impl<R: Scalar> Surroundings<'_, R> {
         between(2) || (has_load() && (between(0) || between(1)))
     }
 
-    /// Whether soil that can bear, or a wall, is near a cell towards an end of an axis, with no body between. A plane of symmetry shows
-    /// what is on this side.
+    /// Whether soil that can bear, or a wall, is near a cell towards an end of an axis, with no body between.
+    /// A plane of symmetry shows what is on this side.
     fn bears(&self, cell: usize, axis: usize, end: usize) -> bool {
         let grid = &self.model.grid;
         let (inside, stride) = (grid.inside(axis), grid.stride[axis]);

@@ -1,7 +1,8 @@
 //! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at
 //! samples and before and after a remap, not every step.
 //!
-//! Each row is summed on its own, then the rows of all blocks exactly: neither threads nor blocks change a bit.
+//! Each row is summed on its own, then the rows of all blocks exactly: neither threads nor blocks change a
+//! bit.
 
 use crate::cpu::workspace::SoilWorkspace;
 use crate::exact_sum::{ExactSum, over_blocks};
@@ -54,7 +55,8 @@ pub fn soil_mass<R: Scalar>(grid: &Grid, soil: &Soil<R>, halo: &Halo) -> f64 {
     sum_cells(grid, halo, |c, _| soil.mass[c].to_f64())
 }
 
-/// Volume by which the pressure compresses the soil elastically [m³]; not of sand, whose volume follows its own law.
+/// Volume by which the pressure compresses the soil elastically [m³]; not of sand, whose volume follows its
+/// own law.
 pub fn compressed_volume<R: Scalar>(model: &Model, soil: &Soil<R>, halo: &Halo) -> f64 {
     sum_cells(&model.grid, halo, |c, volume| soil.fraction[c].to_f64() * volume * compression(model, soil, c))
 }
@@ -69,10 +71,12 @@ fn compression<R: Scalar>(model: &Model, soil: &Soil<R>, c: usize) -> f64 {
     pressure / material.elastic.bulk
 }
 
-/// Density over that of the densest state of the soil, compressed elastically, beyond which soil is denser than it can be.
+/// Density over that of the densest state of the soil, compressed elastically, beyond which soil is denser
+/// than it can be.
 pub const OVERDENSE: f64 = 1.1;
 
-/// Portion of the soil's mass that lies in cells denser than [`OVERDENSE`] times its densest state: an error of the solver.
+/// Portion of the soil's mass that lies in cells denser than [`OVERDENSE`] times its densest state: an error
+/// of the solver.
 pub fn overdense_portion<R: Scalar>(model: &Model, soil: &Soil<R>, halo: &Halo) -> f64 {
     let grid = &model.grid;
     let densities = model.densities();

@@ -1,8 +1,10 @@
-//! Exact sums of floating-point numbers: the same to the bit in whatever order, and in however many blocks, the terms are added.
+//! Exact sums of floating-point numbers: the same to the bit in whatever order, and in however many blocks,
+//! the terms are added.
 //!
-//! The sum is kept as a whole number of units in the last place of the smallest number, in digits of 32 bits with room for carries:
-//! the small superaccumulator of R. M. Neal (2015), Fast exact summation using small and large superaccumulators, arXiv:1505.05571,
-//! section 3. Blocks add their digits as whole numbers, so that nobody needs the terms of the others.
+//! The sum is kept as a whole number of units in the last place of the smallest number, in digits of 32 bits
+//! with room for carries: the small superaccumulator of R. M. Neal (2015), Fast exact summation using small
+//! and large superaccumulators, arXiv:1505.05571, section 3. Blocks add their digits as whole numbers, so
+//! that nobody needs the terms of the others.
 
 use crate::halo::Halo;
 
@@ -126,7 +128,8 @@ pub(crate) fn begin_over_blocks<const N: usize>(halo: &Halo, mut sums: [ExactSum
     }
 }
 
-/// The values of the sums over all blocks, from those of this one, and the largest of the other values, if there are several blocks.
+/// The values of the sums over all blocks, from those of this one, and the largest of the other values, if
+/// there are several blocks.
 pub(crate) fn end_over_blocks<const N: usize>(halo: &Halo, mut own: [ExactSum; N]) -> ([f64; N], Vec<f64>) {
     let (digits, largest) = halo.end_reduction();
     for (sum, digits) in own.iter_mut().zip(digits.chunks_exact(DIGITS + 1)) {

@@ -122,8 +122,9 @@ pub struct Soil<R = f64> {
     pub fraction: Vec<R>,
     /// Mass of soil in the cell [kg].
     pub mass: Vec<R>,
-    /// Volume strain of the soil apart from that of its cell, since the last remap: positive where a void was lent to it, which must close
-    /// before it can be compressed, negative where soil that overlapped a body was pressed. Not carried with the soil.
+    /// Volume strain of the soil apart from that of its cell, since the last remap: positive where a void was
+    /// lent to it, which must close before it can be compressed, negative where soil that overlapped a body
+    /// was pressed. Not carried with the soil.
     pub apart: Vec<R>,
     /// Cauchy stress of the soil (not scaled by the fraction), tension positive: xx, yy, zz, xy, yz, xz [Pa].
     pub stress: [Vec<R>; 6],
@@ -222,8 +223,8 @@ pub(crate) fn main_material<R: Copy + Into<f64>>(composition: &[Vec<R>], cell: u
     others().enumerate().map(|(n, portion)| (n + 1, portion)).fold(first, most).0
 }
 
-/// Mass of a cell [kg] if all of its soil, as compressed as it is, were of its main material, from the mass and the densities of the
-/// undeformed materials: a law knows densities of its own soil alone.
+/// Mass of a cell [kg] if all of its soil, as compressed as it is, were of its main material, from the mass
+/// and the densities of the undeformed materials: a law knows densities of its own soil alone.
 pub(crate) fn mass_as_main<R: Copy + Into<f64>>(
     composition: &[Vec<R>],
     densities: &[f64],

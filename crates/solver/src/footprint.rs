@@ -99,8 +99,8 @@ fn body_cells(model: &Model) -> f64 {
     model.bodies.iter().filter(|body| body.shape.has_surface()).map(cells).sum()
 }
 
-/// Memory of a contact point, before and after a search: the point, its nodes, its constraint and whether it is active, its impulses,
-/// and what it adds to the sums over the rim.
+/// Memory of a contact point, before and after a search: the point, its nodes, its constraint and whether it
+/// is active, its impulses, and what it adds to the sums over the rim.
 fn per_contact() -> f64 {
     let one = size_of::<Contact>() as f64;
     let lists = size_of::<[u32; 8]>()

@@ -1,9 +1,10 @@
 //! Ghost layers beyond open boundaries: what enters and leaves through these as the grid moves.
 //!
-//! A sweep of the remap treats the ghost layers as it does all cells, so that soil passes the boundary like any face. After
-//! each sweep they are refilled: with undisturbed ground beyond an inflow boundary, with the state of the next cell of the
-//! domain beyond an outflow boundary. Nodes on such a boundary and beyond it are at rest; on a boundary at constant stress they move, and
-//! the first layer beyond it is strained like any cell, but every step from its stress at rest.
+//! A sweep of the remap treats the ghost layers as it does all cells, so that soil passes the boundary like
+//! any face. After each sweep they are refilled: with undisturbed ground beyond an inflow boundary, with the
+//! state of the next cell of the domain beyond an outflow boundary. Nodes on such a boundary and beyond it
+//! are at rest; on a boundary at constant stress they move, and the first layer beyond it is strained like
+//! any cell, but every step from its stress at rest.
 
 use crate::boundary::Boundary;
 use crate::contact::BodyCell;
@@ -50,7 +51,8 @@ pub(crate) struct Ghosts<'a, R> {
 type Content = [f64; 3];
 
 impl<'a, R: Precision> Ghosts<'a, R> {
-    /// Those of a grid with open faces, before the first sweep; `volume` is that of the soil in the displaced cells [m³].
+    /// Those of a grid with open faces, before the first sweep; `volume` is that of the soil in the displaced
+    /// cells [m³].
     pub(crate) fn new(
         model: &Model,
         state: &State<R>,
@@ -65,8 +67,8 @@ impl<'a, R: Precision> Ghosts<'a, R> {
         })
     }
 
-    /// After a sweep: adds what has passed the boundaries to the balance and refills the layers, with the volumes of the soil
-    /// in the displaced cells and of these [m³].
+    /// After a sweep: adds what has passed the boundaries to the balance and refills the layers, with the
+    /// volumes of the soil in the displaced cells and of these [m³].
     pub(crate) fn renew(
         &mut self,
         model: &Model,
@@ -103,7 +105,8 @@ impl<'a, R: Precision> Ghosts<'a, R> {
         self.cut_out(model, soil, None);
     }
 
-    /// Makes room in the ghost layers for the bodies that cross a boundary at constant stress, such as a shaft through the lid.
+    /// Makes room in the ghost layers for the bodies that cross a boundary at constant stress, such as a
+    /// shaft through the lid.
     fn cut_out(&self, model: &Model, soil: &mut Soil<R>, mut volume: Option<&mut Vec<R>>) {
         if !model.boundaries.have_constant_stress() {
             return;
@@ -155,7 +158,8 @@ fn for_each_in([x, y, z]: [Range<usize>; 3], mut each: impl FnMut([usize; 3])) {
     }
 }
 
-/// Calls `each(face, layers)` for the cells beyond the open faces of a block; those beyond two faces come twice.
+/// Calls `each(face, layers)` for the cells beyond the open faces of a block; those beyond two faces come
+/// twice.
 fn for_each_ghost(grid: &Grid, mut each: impl FnMut(Face, [usize; 3])) {
     for (face, outside) in open_faces(grid) {
         let mut ranges = grid.cells().map(|n| 0..n);
@@ -182,7 +186,8 @@ fn copy_inner<R: Precision>(
     volume[from].to_f64() / cell[from].to_f64()
 }
 
-/// Stops the nodes on open faces, unless these yield, and beyond them, and gives the latter the masses of the cells round them.
+/// Stops the nodes on open faces, unless these yield, and beyond them, and gives the latter the masses of the
+/// cells round them.
 fn stop_nodes<R: Precision>(model: &Model, cell_mass: &[R], nodes: &mut Nodes<R>) {
     let grid = &model.grid;
     let [x, y, z] = grid.stride;
@@ -206,7 +211,8 @@ fn stop_nodes<R: Precision>(model: &Model, cell_mass: &[R], nodes: &mut Nodes<R>
     }
 }
 
-/// The ground in the first layer beyond the boundaries at constant stress, from which it starts in every step.
+/// The ground in the first layer beyond the boundaries at constant stress, from which it starts in every
+/// step.
 pub(crate) struct Beyond<R> {
     /// Index in memory and volume of each cell [m³]; none for those that another block accounts for.
     cells: Vec<(usize, f64)>,

@@ -1,20 +1,21 @@
-//! The Eulerian grid: a rectilinear, graded box of cells, or a block of it, with ghost layers where it was cut and beyond
-//! boundaries through which soil flows.
+//! The Eulerian grid: a rectilinear, graded box of cells, or a block of it, with ghost layers where it was
+//! cut and beyond boundaries through which soil flows.
 //!
-//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows of whole vectors and two ghosts. Node
-//! `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells are constant offsets.
+//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows of whole vectors and
+//! two ghosts. Node `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells
+//! are constant offsets.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
-/// Rows hold a multiple of this many cells, or twice as many, so that vector loops over cells have no remainder: as many
-/// numbers of double precision as the widest vector holds.
+/// Rows hold a multiple of this many cells, or twice as many, so that vector loops over cells have no
+/// remainder: as many numbers of double precision as the widest vector holds.
 pub const LANES: usize = 8;
 
-/// Number of ghost layers beyond a cut, whose contents are the neighbour's, and beyond an open face, whose contents a boundary
-/// provides. Enough for a sweep of a remap (the flux through a face looks three cells away, momentum one farther) and for a
-/// round of overlap removal; a filter may look as far.
+/// Number of ghost layers beyond a cut, whose contents are the neighbour's, and beyond an open face, whose
+/// contents a boundary provides. Enough for a sweep of a remap (the flux through a face looks three cells
+/// away, momentum one farther) and for a round of overlap removal; a filter may look as far.
 pub const GHOSTS: usize = 4;
 
 /// A rectilinear grid, or a block of one.
@@ -24,7 +25,8 @@ pub struct Grid {
     pub faces: [Vec<f64>; 3],
     /// Those of the whole grid, with the ghost layers of its open faces.
     pub whole: [Vec<f64>; 3],
-    /// Layers of cells of the whole grid that are the domain; the others are ghost layers beyond its open faces.
+    /// Layers of cells of the whole grid that are the domain; the others are ghost layers beyond its open
+    /// faces.
     pub domain: [Range<usize>; 3],
     /// Layers of cells of the whole grid that this block owns.
     pub own: [Range<usize>; 3],
@@ -55,8 +57,8 @@ impl Grid {
         Self::with_open_faces(faces, [[false; 2]; 3], lanes)
     }
 
-    /// A grid with these faces [m] and ghost layers, as wide as the outermost cells, beyond the `open` faces: by axis at the low end and at the
-    /// high end.
+    /// A grid with these faces [m] and ghost layers, as wide as the outermost cells, beyond the `open` faces:
+    /// by axis at the low end and at the high end.
     #[must_use]
     pub fn with_open_faces(faces: [Vec<f64>; 3], open: [[bool; 2]; 3], lanes: usize) -> Self {
         let ghosts = open.map(|ends| ends.map(|is_open| if is_open { GHOSTS } else { 0 }));
@@ -74,7 +76,8 @@ impl Grid {
         Self { aspect, finest, ..self }
     }
 
-    /// The block of the grid that owns some of its layers of cells. Rows along x are never cut: sums over them keep their bits.
+    /// The block of the grid that owns some of its layers of cells. Rows along x are never cut: sums over
+    /// them keep their bits.
     ///
     /// # Panics
     /// When a cut block has fewer than [`GHOSTS`] layers, or is cut along x.
@@ -164,7 +167,8 @@ impl Grid {
         self.stride[2] / self.stride[1]
     }
 
-    /// Row within its plane, and plane, of a row of the memory; those of cell `(i, j, k)` are j + 1 and k + 1.
+    /// Row within its plane, and plane, of a row of the memory; those of cell `(i, j, k)` are j + 1 and k +
+    /// 1.
     #[must_use]
     pub fn row_and_plane(&self, row: usize) -> [usize; 2] {
         [row % self.rows(), row / self.rows()]
@@ -197,7 +201,8 @@ impl Grid {
         domain.start.saturating_sub(first)..(domain.end - first).min(self.cells()[axis])
     }
 
-    /// Ghost layers of the block beyond an open face, at the low end (0) or the high end (1); none where it is not open.
+    /// Ghost layers of the block beyond an open face, at the low end (0) or the high end (1); none where it
+    /// is not open.
     #[must_use]
     pub fn outside(&self, axis: usize, end: usize) -> Range<usize> {
         let inside = self.inside(axis);
@@ -211,7 +216,8 @@ impl Grid {
         (0..3).all(|axis| self.inside(axis).contains(&layers[axis]))
     }
 
-    /// Whether the block owns a layer of the whole grid along `axis`, or has it as the ghost layer of an open face beside its own.
+    /// Whether the block owns a layer of the whole grid along `axis`, or has it as the ghost layer of an open
+    /// face beside its own.
     #[must_use]
     pub fn accounts_for(&self, axis: usize, whole: usize) -> bool {
         let (own, domain) = (&self.own[axis], &self.domain[axis]);
@@ -220,7 +226,8 @@ impl Grid {
             || (whole >= domain.end && own.end == domain.end)
     }
 
-    /// Layers of cells of the whole grid that the block accounts for along `axis` (see [`Grid::accounts_for`]).
+    /// Layers of cells of the whole grid that the block accounts for along `axis` (see
+    /// [`Grid::accounts_for`]).
     #[must_use]
     pub fn accounted(&self, axis: usize) -> Range<usize> {
         let (own, domain) = (&self.own[axis], &self.domain[axis]);
@@ -228,14 +235,16 @@ impl Grid {
         start..if own.end == domain.end { self.whole_cells()[axis] } else { own.end }
     }
 
-    /// Whether a row of the memory, `[q, plane]`, is one of cells in the domain or in the ghost layers of a cut.
+    /// Whether a row of the memory, `[q, plane]`, is one of cells in the domain or in the ghost layers of a
+    /// cut.
     #[must_use]
     pub fn is_inside(&self, [q, plane]: [usize; 2]) -> bool {
         let contains = |axis: usize, n: usize| n > 0 && self.inside(axis).contains(&(n - 1));
         contains(1, q) && contains(2, plane)
     }
 
-    /// Columns of a row that are strained: those in the domain, with the ones that pad the row where no ghost layers follow.
+    /// Columns of a row that are strained: those in the domain, with the ones that pad the row where no ghost
+    /// layers follow.
     #[must_use]
     pub fn strained_columns(&self) -> Range<usize> {
         let inside = self.inside(0);
@@ -290,8 +299,8 @@ impl Grid {
         (0..3).all(|axis| self.own[axis].contains(&whole[axis]) || is_last(axis))
     }
 
-    /// Number of the row of the whole grid that a row of the memory is, if the block owns it. Rows of nodes at a cut belong to
-    /// the block above it.
+    /// Number of the row of the whole grid that a row of the memory is, if the block owns it. Rows of nodes
+    /// at a cut belong to the block above it.
     #[must_use]
     pub fn owned_row(&self, row: usize) -> Option<usize> {
         let [q, plane] = self.row_and_plane(row);
@@ -304,8 +313,8 @@ impl Grid {
         Some(layer(2, plane)? * (cells[1] + 1) + layer(1, q)?)
     }
 
-    /// Whether a row of cells of the memory, `[q, plane]`, lies next to nodes of this block: of the ghost layers beyond a cut, the
-    /// first one only.
+    /// Whether a row of cells of the memory, `[q, plane]`, lies next to nodes of this block: of the ghost
+    /// layers beyond a cut, the first one only.
     #[must_use]
     pub fn is_beside_own(&self, [q, plane]: [usize; 2]) -> bool {
         [(1, q), (2, plane)].into_iter().all(|(axis, n)| {
@@ -359,8 +368,8 @@ impl Grid {
         finest_of(&self.whole[axis])
     }
 
-    /// The smallest cell width of the whole grid [m]. Where cells are not cubes: such that along every axis the smallest is this
-    /// times the aspect, or more.
+    /// The smallest cell width of the whole grid [m]. Where cells are not cubes: such that along every axis
+    /// the smallest is this times the aspect, or more.
     #[must_use]
     pub fn finest(&self) -> f64 {
         self.finest
@@ -384,15 +393,15 @@ impl Grid {
         self.finest * self.aspect
     }
 
-    /// Length of the line of direction `normal`, a unit vector, through a cell over its smallest width: of an ellipsoid with the
-    /// cell's widths. Exactly 1 for cubes.
+    /// Length of the line of direction `normal`, a unit vector, through a cell over its smallest width: of an
+    /// ellipsoid with the cell's widths. Exactly 1 for cubes.
     #[must_use]
     pub fn length_along(&self, normal: DVec3) -> f64 {
         1.0 / (1.0 + (normal * normal).dot(self.aspect.powf(-2.0) - 1.0)).sqrt()
     }
 
-    /// Distance between the two planes of this normal, a unit vector, that enclose a cell, over its smallest width: again of
-    /// the ellipsoid. Exactly 1 for cubes.
+    /// Distance between the two planes of this normal, a unit vector, that enclose a cell, over its smallest
+    /// width: again of the ellipsoid. Exactly 1 for cubes.
     #[must_use]
     pub fn depth_along(&self, normal: DVec3) -> f64 {
         (1.0 + (normal * normal).dot(self.aspect * self.aspect - 1.0)).sqrt()
@@ -404,8 +413,8 @@ impl Grid {
         (widths / self.aspect).min_element()
     }
 
-    /// The axis along which a surface of this normal cuts the fewest layers of cells: that of the largest component in units of
-    /// the cell's widths.
+    /// The axis along which a surface of this normal cuts the fewest layers of cells: that of the largest
+    /// component in units of the cell's widths.
     #[must_use]
     pub fn main_axis(&self, normal: DVec3) -> usize {
         let size = (normal * self.aspect).abs();
@@ -419,10 +428,11 @@ impl Grid {
     }
 }
 
-/// How much longer a step may be in cells of a shape than in cubes of their smallest width; exactly 1 for cubes.
+/// How much longer a step may be in cells of a shape than in cubes of their smallest width; exactly 1 for
+/// cubes.
 ///
-/// The highest frequency of a cell is at most 2 c √(Σ 1/hᵢ²) (Flanagan & Belytschko 1984): the step stays the same fraction of
-/// the stable one.
+/// The highest frequency of a cell is at most 2 c √(Σ 1/hᵢ²) (Flanagan & Belytschko 1984): the step stays the
+/// same fraction of the stable one.
 #[must_use]
 pub fn longer_step(aspect: DVec3) -> f64 {
     (3.0 / (1.0 / (aspect * aspect)).element_sum()).sqrt()
@@ -434,7 +444,8 @@ pub fn finest_of(faces: &[f64]) -> f64 {
     faces.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min)
 }
 
-/// Face positions with so many ghost layers, as wide as the outermost cells, at the low end and at the high end.
+/// Face positions with so many ghost layers, as wide as the outermost cells, at the low end and at the high
+/// end.
 fn with_ghosts(faces: &[f64], [low, high]: [usize; 2]) -> Vec<f64> {
     let n = faces.len();
     let [first, last] = [faces[1] - faces[0], faces[n - 1] - faces[n - 2]];

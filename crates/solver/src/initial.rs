@@ -23,8 +23,8 @@ pub fn at_rest<R: Precision>(model: &Model, filling: &Filling) -> State<R> {
     at_rest_on(model, &Ground { fillings: vec![*filling], ..Ground::default() })
 }
 
-/// The state at rest of any ground. If there is an overburden, the soil reaches up to the lid of the box, which does not move
-/// and bears the pressure from then on.
+/// The state at rest of any ground. If there is an overburden, the soil reaches up to the lid of the box,
+/// which does not move and bears the pressure from then on.
 #[must_use]
 pub fn at_rest_on<R: Precision>(model: &Model, ground: &Ground) -> State<R> {
     of_soil(model, filled(&model.grid, ground, model), ground.overburden)
@@ -33,9 +33,9 @@ pub fn at_rest_on<R: Precision>(model: &Model, ground: &Ground) -> State<R> {
 /// Layers of a slab of the grid in which the state at rest of a block is found.
 const SLAB: usize = 16;
 
-/// The state at rest of a block of the grid, on the model's ground; the grid of the model is the whole before and the block
-/// afterwards. Stresses are those under all that lies above, also where the grid is cut along z: they are found in one slab across y
-/// after the other, so that no process needs memory for the whole.
+/// The state at rest of a block of the grid, on the model's ground; the grid of the model is the whole before
+/// and the block afterwards. Stresses are those under all that lies above, also where the grid is cut along
+/// z: they are found in one slab across y after the other, so that no process needs memory for the whole.
 #[must_use]
 pub fn at_rest_in_block<R: Precision>(model: &mut Model, own: [Range<usize>; 3]) -> State<R> {
     let block = model.grid.block(own);
@@ -125,8 +125,8 @@ fn remember_one<R: Scalar>(
     }
 }
 
-/// The undisturbed ground in the cells of a grid that has moved: in one column only along an axis along which it is uniform, beyond the
-/// open boundary only where there is one alone.
+/// The undisturbed ground in the cells of a grid that has moved: in one column only along an axis along which
+/// it is uniform, beyond the open boundary only where there is one alone.
 pub(crate) struct Undisturbed<R> {
     /// In coordinates of the ground.
     grid: Grid,
@@ -191,7 +191,8 @@ fn entered(model: &Model, axis: usize) -> Option<Range<usize>> {
     }
 }
 
-/// The state at rest of soil of any shape, of the first material: its volume fraction in every cell (see [`Grid::index`]).
+/// The state at rest of soil of any shape, of the first material: its volume fraction in every cell (see
+/// [`Grid::index`]).
 #[must_use]
 pub fn at_rest_filled<R: Precision>(model: &Model, fraction: Vec<R>) -> State<R> {
     of_soil(model, Soil { fraction, ..empty(&model.grid, model) }, 0.0)
@@ -260,8 +261,8 @@ pub(crate) fn balance_blocks<R: Precision>(model: &Model, state: &mut State<R>, 
     state.energy_balance.volume_start = energy::soil_volume(&model.grid, &state.soil, halo);
 }
 
-/// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the energy balance counts its energy as
-/// external work.
+/// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the energy balance counts its
+/// energy as external work.
 pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity: DVec3, halo: &Halo) {
     for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > R::default()) {
         let layers = model.grid.layers_of(n);
@@ -273,8 +274,8 @@ pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity
     state.energy_balance.kinetic_start = kinetic_energy(model, state, halo);
 }
 
-/// Sets a body in motion at the start, as far as its fixed motions and joints allow; the energy balance counts its energy as
-/// external work.
+/// Sets a body in motion at the start, as far as its fixed motions and joints allow; the energy balance
+/// counts its energy as external work.
 pub fn set_body_in_motion<R: Precision>(model: &Model, state: &mut State<R>, body: usize, twist: Twist) {
     let mut start: Vec<_> = state.mechanism.bodies.iter().map(|body| (body.pose, body.twist)).collect();
     start[body].1 = twist;
@@ -316,8 +317,8 @@ fn fill<R: Scalar>(grid: &Grid, filling: &Filling, fraction: &mut [R]) {
     }
 }
 
-/// Area [m²] of the intersection of a rectangle with a disc round the origin. The two sides along each axis come in as a
-/// difference, so that a mirror changes no bit.
+/// Area [m²] of the intersection of a rectangle with a disc round the origin. The two sides along each axis
+/// come in as a difference, so that a mirror changes no bit.
 fn area_in_disc(radius: f64, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
     if x1 <= x0 || y1 <= y0 {
         return 0.0;
@@ -368,12 +369,14 @@ fn weigh<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
     }
 }
 
-/// Stresses at rest: σ_z from the discrete balance of each node, from the top down, `f_k σ_k = f_{k+1} σ_{k+1} −
-/// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z, and on a slope τ_xz and τ_yz likewise from g_x and
-/// g_y, for ground that is uniform along them. Taken before the bodies' space is
-/// cut out: soil beside and under a body that starts in it bears what it bore before the body was there.
+/// Stresses at rest: σ_z from the discrete balance of each node, from the top down,
+/// `f_k σ_k = f_{k+1} σ_{k+1} − (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀
+/// σ_z, and on a slope τ_xz and τ_yz likewise from g_x and g_y, for ground that is uniform along them. Taken
+/// before the bodies' space is cut out: soil beside and under a body that starts in it bears what it bore
+/// before the body was there.
 ///
-/// Where a boundary at constant stress is the lid, the overburden acts on it, not on the top of the ghost layers above it.
+/// Where a boundary at constant stress is the lid, the overburden acts on it, not on the top of the ghost
+/// layers above it.
 fn rest_stress<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>, overburden: f64) {
     let [nx, ny, nz] = grid.cells();
     let gravity = model.soil_gravity * model.down;

@@ -17,7 +17,8 @@ pub struct Material {
     pub critical_density: Option<f64>,
     /// Density of the undeformed soil [kg/m³].
     pub density: f64,
-    /// Length over which the density that governs the strength is averaged [m]; `None` for the density of each cell alone.
+    /// Length over which the density that governs the strength is averaged [m]; `None` for the density of
+    /// each cell alone.
     pub characteristic_length: Option<f64>,
     /// Coefficient of earth pressure at rest K₀: ratio of horizontal to vertical stress at the start.
     pub k0: f64,
@@ -115,13 +116,15 @@ impl Material {
         self.elastic.bulk * self.stiffening().map_or(1.0, |stiffening| stiffening.factor(pressure))
     }
 
-    /// Whether it opens where it cannot bear the tension, so that a gap must close before it bears pressure again.
+    /// Whether it opens where it cannot bear the tension, so that a gap must close before it bears pressure
+    /// again.
     #[must_use]
     pub fn opens(&self) -> bool {
         matches!(self.yield_law, Some(Law::MohrCoulomb(_) | Law::MenetreyWillam(_) | Law::Sand(_)))
     }
 
-    /// Density in the densest state without pressure [kg/m³]. The laws other than that of sand do not compact.
+    /// Density in the densest state without pressure [kg/m³]. The laws other than that of sand do not
+    /// compact.
     #[must_use]
     pub fn densest(&self) -> f64 {
         match self.yield_law {
@@ -130,9 +133,10 @@ impl Material {
         }
     }
 
-    /// Density below which the soil is no longer one body [kg/m³], so that it must be compressed before it bears pressure; 0 of soil that
-    /// does not open. Cracks along one or two axes leave no gap, which would free the third axis of stress, too: without this cohesive soil that is torn again and
-    /// again expanded to a tenth of its density. Chosen: rubble has a little more than half the density of what it was.
+    /// Density below which the soil is no longer one body [kg/m³], so that it must be compressed before it
+    /// bears pressure; 0 of soil that does not open. Cracks along one or two axes leave no gap, which would
+    /// free the third axis of stress, too: without this cohesive soil that is torn again and again expanded
+    /// to a tenth of its density. Chosen: rubble has a little more than half the density of what it was.
     #[must_use]
     pub fn loosest(&self) -> f64 {
         if self.opens() { 0.5 * self.density } else { 0.0 }
@@ -157,8 +161,8 @@ impl Material {
         }
     }
 
-    /// Undrained shear strength [Pa] up to the reference rate, of soil that has one, from that of the intact soil [Pa] and the
-    /// equivalent plastic strain.
+    /// Undrained shear strength [Pa] up to the reference rate, of soil that has one, from that of the intact
+    /// soil [Pa] and the equivalent plastic strain.
     #[must_use]
     pub fn shear_strength(&self, intact: f64, plastic_strain: f64) -> Option<f64> {
         match self.yield_law? {

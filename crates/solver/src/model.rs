@@ -23,13 +23,16 @@ pub struct Model {
     pub gravity: f64,
     /// Unit vector along which gravity acts: −z, or tilted where z is normal to the surface of a slope.
     pub down: DVec3,
-    /// Weight of the soil over its mass, γ/ρ [m/s²]; not that of gravity where the soil is taken to be weightless.
+    /// Weight of the soil over its mass, γ/ρ [m/s²]; not that of gravity where the soil is taken to be
+    /// weightless.
     pub soil_gravity: f64,
-    /// Height of the undisturbed surface of the soil [m]; of uneven ground the level over which its relief rises and falls.
+    /// Height of the undisturbed surface of the soil [m]; of uneven ground the level over which its relief
+    /// rises and falls.
     pub surface: f64,
     /// The undisturbed ground, which enters through an inflow boundary.
     pub ground: Ground,
-    /// Water in the pores of the soil, all of which is saturated; `None` for soil that is dry, drained or undrained by its law.
+    /// Water in the pores of the soil, all of which is saturated; `None` for soil that is dry, drained or
+    /// undrained by its law.
     pub pore_water: Option<PoreWater>,
     /// The faces of the grid.
     pub boundaries: Boundaries,
@@ -39,8 +42,8 @@ pub struct Model {
     pub bodies: Vec<BodyModel>,
     /// Joints between them, or between them and the ground.
     pub joints: Vec<Arc<dyn Joint>>,
-    /// Portion of the width of each body that is modelled: 1, of a slab of plane strain its thickness over the width that bodies,
-    /// forces and energies refer to.
+    /// Portion of the width of each body that is modelled: 1, of a slab of plane strain its thickness over
+    /// the width that bodies, forces and energies refer to.
     pub modelled_width: f64,
     /// Parameters of the method.
     pub method: Method,
@@ -61,8 +64,8 @@ pub struct BodyModel {
     pub motion: [Motion; 6],
     /// Coefficient of friction against the soil.
     pub friction: f64,
-    /// Adhesion factor α: the largest frictional traction over the undrained shear strength of the soil, whatever the pressure. Above 1
-    /// the soil itself is the limit.
+    /// Adhesion factor α: the largest frictional traction over the undrained shear strength of the soil,
+    /// whatever the pressure. Above 1 the soil itself is the limit.
     pub adhesion_factor: f64,
     /// Distance between its contact points and its sharp edges along each of its axes, in cell widths.
     pub edge_inset: DVec3,
@@ -79,7 +82,8 @@ impl BodyModel {
         mechanics::Body { modelled_fraction, fluid, ..mechanics::Body::new(inertia, self.motion.clone()) }
     }
 
-    /// A vector of the body frame in space, with the body at a pose; a body that is not rotated keeps its bits.
+    /// A vector of the body frame in space, with the body at a pose; a body that is not rotated keeps its
+    /// bits.
     #[must_use]
     pub fn rotated(&self, pose: &Pose, v: DVec3) -> DVec3 {
         let attitude = self.attitude(pose);
@@ -113,16 +117,17 @@ impl BodyModel {
         boxes.into_iter().map(around).collect()
     }
 
-    /// Directions of the contact points and the geometry of the body in space: its rotation, for a shape of revolution without
-    /// the spin about its axle, which changes nothing. Contact is then steady in steady rolling.
+    /// Directions of the contact points and the geometry of the body in space: its rotation, for a shape of
+    /// revolution without the spin about its axle, which changes nothing. Contact is then steady in steady
+    /// rolling.
     #[must_use]
     pub fn attitude(&self, pose: &Pose) -> DQuat {
         if self.shape.is_revolved() { of_axle((pose.rotation * DVec3::Y).normalize()) } else { pose.rotation }
     }
 }
 
-/// The rotation that turns y to an axle (a unit vector) by a tilt, and then a yaw. Without a spin of its own, unlike the shortest
-/// rotation, it turns with the axle about z.
+/// The rotation that turns y to an axle (a unit vector) by a tilt, and then a yaw. Without a spin of its own,
+/// unlike the shortest rotation, it turns with the axle about z.
 fn of_axle(axle: DVec3) -> DQuat {
     if axle.y > 1.0 - 2.0 * f64::EPSILON {
         return DQuat::IDENTITY;
@@ -237,9 +242,11 @@ impl Model {
         Mechanism::unchecked(bodies.collect(), self.joints.clone())
     }
 
-    /// Whether the soil is driven along y rather than x: by the first body that has a prescribed speed, or else a load, along either.
+    /// Whether the soil is driven along y rather than x: by the first body that has a prescribed speed, or
+    /// else a load, along either.
     ///
-    /// The sweeps of the remap go by it, so that a set-up that is turned by 90° about z takes the same course.
+    /// The sweeps of the remap go by it, so that a set-up that is turned by 90° about z takes the same
+    /// course.
     #[must_use]
     pub fn is_driven_along_y(&self) -> bool {
         let drives: [fn(&Motion) -> f64; 2] = [
@@ -292,8 +299,8 @@ impl Model {
         self.materials.iter().map(|material| material.density).collect()
     }
 
-    /// Time step [s]. It never changes: the grid does not deform, and force and mass of a cell scale alike with the
-    /// soil in it.
+    /// Time step [s]. It never changes: the grid does not deform, and force and mass of a cell scale alike
+    /// with the soil in it.
     #[must_use]
     pub fn time_step(&self) -> f64 {
         self.method.courant * (self.grid.finest() * longer_step(self.grid.aspect())) / self.wave_speed()
@@ -324,7 +331,8 @@ pub struct PoreWater {
 }
 
 impl PoreWater {
-    /// Tension below the atmospheric pressure at which water cavitates [Pa]: that of a vacuum, about the pressure of the atmosphere.
+    /// Tension below the atmospheric pressure at which water cavitates [Pa]: that of a vacuum, about the
+    /// pressure of the atmosphere.
     pub const ATMOSPHERE: f64 = 1e5;
 
     /// Mobility of the water k/γ_w [m²/(Pa s)]: seepage velocity through unit area per pressure gradient.
@@ -352,14 +360,16 @@ pub struct Follow {
 /// The undisturbed ground: soil at rest under its own weight and a pressure on its surface.
 #[derive(Clone, Debug, Default)]
 pub struct Ground {
-    /// Where soil is, each filling in what the ones before it have left free. Infinite along an axis along which the grid moves. In
-    /// uneven ground the first one is the uppermost, and all are infinite along x and y.
+    /// Where soil is, each filling in what the ones before it have left free. Infinite along an axis along
+    /// which the grid moves. In uneven ground the first one is the uppermost, and all are infinite along x
+    /// and y.
     pub fillings: Vec<Filling>,
     /// Pressure on the surface [Pa].
     pub overburden: f64,
     /// How far its surface lies above the top of the first filling.
     pub relief: Relief,
-    /// Bodies of other soil, which take the place of the fillings, each in what the ones before it have left free.
+    /// Bodies of other soil, which take the place of the fillings, each in what the ones before it have left
+    /// free.
     pub bodies: Vec<SoilBody>,
 }
 

@@ -1,10 +1,11 @@
 //! The pressure of the water in the pores of the soil.
 //!
-//! Grains and water do not compress, so water must flow in where the soil expands: ∇·(k/γ_w ∇p) = ∇·v, with p the pressure beyond the
-//! hydrostatic one and v the velocity of the soil. The soil feels it as a total stress σ − p 1. Both are solved in turn: the pressure
-//! from the velocities at the end of a step, after contact, and extrapolated acts in the next. What that pressure will do to the
-//! velocities is anticipated by the inertia of the soil, which stands beside the mobility of the water and bounds the pressure of
-//! water that can hardly flow. The time step remains that of the soil, whatever the permeability.
+//! Grains and water do not compress, so water must flow in where the soil expands: ∇·(k/γ_w ∇p) = ∇·v, with p
+//! the pressure beyond the hydrostatic one and v the velocity of the soil. The soil feels it as a total
+//! stress σ − p 1. Both are solved in turn: the pressure from the velocities at the end of a step, after
+//! contact, and extrapolated acts in the next. What that pressure will do to the velocities is anticipated by
+//! the inertia of the soil, which stands beside the mobility of the water and bounds the pressure of water
+//! that can hardly flow. The time step remains that of the soil, whatever the permeability.
 
 use crate::contact::workspace::ContactWorkspace;
 use crate::contact::{self, Pressed};
@@ -17,8 +18,8 @@ use crate::model::Model;
 use crate::precision::Precision;
 use crate::state::State;
 
-/// How much of the inertia of the soil is anticipated, over that of its nodes in a full row of cubes. Above 1 for the light nodes in
-/// its surface; more makes pressures lag behind, and changes nothing in steady motion.
+/// How much of the inertia of the soil is anticipated, over that of its nodes in a full row of cubes. Above 1
+/// for the light nodes in its surface; more makes pressures lag behind, and changes nothing in steady motion.
 const ANTICIPATED: f64 = 2.0;
 
 /// Renews the pore pressures at the end of a step, from the velocities after contact.

@@ -19,7 +19,8 @@ pub struct Portion<R> {
     nodes: Vec<Vec<R>>,
 }
 
-/// Starts of the rows of some layers in an array that covers a grid, with `beyond` layers more at the high ends.
+/// Starts of the rows of some layers in an array that covers a grid, with `beyond` layers more at the high
+/// ends.
 fn rows(grid: &Grid, layers: &[Range<usize>; 3], beyond: usize) -> impl Iterator<Item = usize> {
     let [x, y, z] = grid.first;
     let [columns, rows, planes] = layers.clone();
@@ -66,8 +67,8 @@ impl<R: Copy + Default> State<R> {
 }
 
 impl<R: Scalar> State<R> {
-    /// The state of the block that a process gets as the grid is cut anew, with the grid of that; all processes must call this. Soil
-    /// passes from block to block, and no process holds more than its own.
+    /// The state of the block that a process gets as the grid is cut anew, with the grid of that; all
+    /// processes must call this. Soil passes from block to block, and no process holds more than its own.
     #[must_use]
     pub fn recut(&self, block: &Grid, cut: &Decomposition, halo: &Halo) -> (Grid, Self) {
         let whole = block.uncut();

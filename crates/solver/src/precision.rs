@@ -11,8 +11,8 @@ use crate::state::{Known, Nodes, Soil, State};
 /// A number type with its kernels. Rows are numbered in memory order (see [`Grid::row_and_plane`]).
 pub trait Precision: Scalar {
     /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of
-    /// the step, velocities without contact half a step later. Calls `known` as soon as the nodes of the block that contact needs
-    /// are moved.
+    /// the step, velocities without contact half a step later. Calls `known` as soon as the nodes of the
+    /// block that contact needs are moved.
     fn lagrangian_stage(
         model: &Model,
         state: &mut State<Self>,

@@ -1,9 +1,11 @@
-//! The relief of the ground: how far its surface lies above or below the level one, from a height map and from furrows.
+//! The relief of the ground: how far its surface lies above or below the level one, from a height map and
+//! from furrows.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// How far the surface of the ground lies above the level one, `Model::surface`; level where it has neither map nor furrows.
+/// How far the surface of the ground lies above the level one, `Model::surface`; level where it has neither
+/// map nor furrows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Relief {
     /// Heights that were measured.
@@ -54,7 +56,8 @@ impl Relief {
             && self.furrows.is_none_or(|furrows| furrows.is_uniform_along(axis))
     }
 
-    /// Whether it is its own mirror image in the plane x = 0 (0) or y = 0 (1): a map only where it is uniform along that axis.
+    /// Whether it is its own mirror image in the plane x = 0 (0) or y = 0 (1): a map only where it is uniform
+    /// along that axis.
     #[must_use]
     pub fn is_mirrored(&self, axis: usize) -> bool {
         self.map.as_ref().is_none_or(|map| map.is_uniform_along(axis))
@@ -72,8 +75,8 @@ pub struct HeightField {
 }
 
 impl HeightField {
-    /// Heights [m] at the crossings of lines [m], x fastest; `None` where these do not increase, are fewer than two along an axis or
-    /// do not fit the heights, and where a number is not finite.
+    /// Heights [m] at the crossings of lines [m], x fastest; `None` where these do not increase, are fewer
+    /// than two along an axis or do not fit the heights, and where a number is not finite.
     #[must_use]
     pub fn new(lines: [Vec<f64>; 2], heights: Vec<f64>) -> Option<Self> {
         let increase = |lines: &Vec<f64>| lines.len() >= 2 && lines.windows(2).all(|pair| pair[0] < pair[1]);
@@ -112,7 +115,8 @@ impl HeightField {
         along(j) * (1.0 - y) + along(j + 1) * y
     }
 
-    /// The line before a position [m], and how far it is on the way to the next one; an end of the map where it lies beyond.
+    /// The line before a position [m], and how far it is on the way to the next one; an end of the map where
+    /// it lies beyond.
     fn between(&self, axis: usize, position: f64) -> (usize, f64) {
         let lines = &self.lines[axis];
         let before = lines.partition_point(|line| *line <= position).saturating_sub(1).min(lines.len() - 2);

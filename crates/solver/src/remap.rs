@@ -1,8 +1,8 @@
 //! The Eulerian stage: what the soil has become on the displaced grid is carried back to the grid.
 //!
-//! The grid moves after the body that it follows, if any. One conservative sweep along each axis, the order changing from
-//! remap to remap; then volume fractions, admissible stresses and nodal masses are updated, and the soil that
-//! overlaps a body is moved out of it.
+//! The grid moves after the body that it follows, if any. One conservative sweep along each axis, the order
+//! changing from remap to remap; then volume fractions, admissible stresses and nodal masses are updated, and
+//! the soil that overlaps a body is moved out of it.
 
 use crate::contact;
 use crate::cpu::stopwatch::Stage;
@@ -18,12 +18,12 @@ use crate::precision::Precision;
 use crate::state::{Nodes, State};
 use crate::workspace::Workspace;
 
-/// The six orders of the axes; each begins where the last ended, so that no axis is favoured. 0 is the horizontal axis along which
-/// the soil is driven ([`Model::is_driven_along_y`]), 1 the other one.
+/// The six orders of the axes; each begins where the last ended, so that no axis is favoured. 0 is the
+/// horizontal axis along which the soil is driven ([`Model::is_driven_along_y`]), 1 the other one.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0, 2, 1], [1, 0, 2]];
 
-/// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of the cells,
-/// and every stress is admissible. What is lost is entered into the energy balance.
+/// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of
+/// the cells, and every stress is admissible. What is lost is entered into the energy balance.
 pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
     let Workspace { soil, contact, halo, beyond, .. } = workspace;
     let (grid, halo) = (&model.grid, halo);
@@ -48,7 +48,8 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     if let Some(ghosts) = ghosts {
         ghosts.finish(model, &mut state.soil);
     }
-    // Whether a row next to the outermost ghost layer holds soil, only its owner knows: debris would stay in that layer.
+    // Whether a row next to the outermost ghost layer holds soil, only its owner knows: debris would stay in
+    // that layer.
     fill(halo, grid, At::Cells, state.soil.arrays_mut());
     let [volume, mass] = soil.total_of_rows(grid, halo);
     reset_nodes(grid, state, soil);
@@ -72,7 +73,8 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     soil.stopwatch().lap(Stage::Remap);
 }
 
-/// Fills the ghost layers after a sweep: with what lies beyond open faces, and with what other blocks have carried.
+/// Fills the ghost layers after a sweep: with what lies beyond open faces, and with what other blocks have
+/// carried.
 fn fill_swept<R: Precision>(
     model: &Model,
     state: &mut State<R>,
@@ -106,8 +108,8 @@ fn rows_near_soil(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
     active
 }
 
-/// Sets the displacement to zero, gives the nodes the masses of the cells round them, and leaves the scratch arrays zero
-/// where there is no soil, as the Lagrangian stage expects them.
+/// Sets the displacement to zero, gives the nodes the masses of the cells round them, and leaves the scratch
+/// arrays zero where there is no soil, as the Lagrangian stage expects them.
 fn reset_nodes<R: Precision>(grid: &Grid, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
     let SoilWorkspace { team, partition, velocity_before, .. } = workspace;
     for array in state.nodes.displacement.iter_mut().chain(velocity_before) {

@@ -7,8 +7,8 @@ use glam::DVec3;
 pub use mechanics::{MechanismState, Pose, Twist};
 use serde::{Deserialize, Serialize};
 
-/// What the soil does to a body, and what contact remembers of it. Quantities are those of the whole body, also when only half
-/// of it is modelled. Pose and twist are in [`State::mechanism`].
+/// What the soil does to a body, and what contact remembers of it. Quantities are those of the whole body,
+/// also when only half of it is modelled. Pose and twist are in [`State::mechanism`].
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Body {
     /// Contact impulse of the soil on the body since the start.
@@ -23,7 +23,8 @@ pub struct Body {
     pub embedded_volume: f64,
     /// Pose at the last contact search.
     pub searched_at: Pose,
-    /// What the soil has done since the start to each bin of the rim, and last to the flanks; of the modelled portion.
+    /// What the soil has done since the start to each bin of the rim, and last to the flanks; of the modelled
+    /// portion.
     pub rim: Vec<RimSums>,
 }
 
@@ -41,8 +42,9 @@ pub struct ContactImpulse {
     pub pore: DVec3,
 }
 
-/// What the soil has done to a part of a body's surface since the start. Vectors along the surface have three components: along
-/// the outline, positive towards the front where it is below; along the axle; and along the axle away from the body's mid-plane.
+/// What the soil has done to a part of a body's surface since the start. Vectors along the surface have three
+/// components: along the outline, positive towards the front where it is below; along the axle; and along the
+/// axle away from the body's mid-plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RimSums {
     /// Area in contact times its duration [m² s].
@@ -55,7 +57,8 @@ pub struct RimSums {
     pub friction_limit: f64,
     /// Frictional impulse on the body along the surface [N s].
     pub shear: [f64; 3],
-    /// Slip velocity of the body relative to the soil along the surface, times area and duration of the contact [m³].
+    /// Slip velocity of the body relative to the soil along the surface, times area and duration of the
+    /// contact [m³].
     pub slip: [f64; 3],
     /// Impulse of the soil on the body [N s].
     pub impulse: DVec3,
@@ -87,8 +90,8 @@ pub struct Contact {
     pub point: u32,
     /// Material in its cell.
     pub material: u32,
-    /// Largest frictional force, whatever the pressure, over `area` [Pa]: with what the point represents of the margins along edges;
-    /// infinite for no such limit.
+    /// Largest frictional force, whatever the pressure, over `area` [Pa]: with what the point represents of
+    /// the margins along edges; infinite for no such limit.
     pub shear_limit: f64,
     /// Side of the body's mid-plane on which it lies: 0 and 1, or 2 on the plane.
     pub side: u8,
@@ -273,7 +276,8 @@ impl<R: Copy + Default> State<R> {
         }
     }
 
-    /// These bodies, contacts and energy balance, and arrays of soil and nodes without entries: those that are needed have one.
+    /// These bodies, contacts and energy balance, and arrays of soil and nodes without entries: those that
+    /// are needed have one.
     #[must_use]
     pub fn without_fields(&self) -> Self {
         let mut own = self.without_soil(&Grid::new(std::array::from_fn(|_| vec![0.0, 1.0])));

@@ -24,8 +24,9 @@ pub fn step<R: Precision>(
     workspace: &mut Workspace<R>,
 ) -> Result<(), Breakdown> {
     let dt = model.time_step();
-    // Lagrangian stage: the soil deforms, the grid stays. Messages between blocks are under way while there is something to compute:
-    // contact nodes during the rest of the stage, the nodes beside cuts and the sums during contact.
+    // Lagrangian stage: the soil deforms, the grid stays. Messages between blocks are under way while there
+    // is something to compute: contact nodes during the rest of the stage, the nodes beside cuts and the sums
+    // during contact.
     let Workspace { soil, contact, seepage, mechanism, bodies: moving, beyond, halo } = &mut *workspace;
     beyond.rest(&mut state.soil);
     let pressed = contact::press(model, state, &contact.confined);
@@ -39,7 +40,8 @@ pub fn step<R: Precision>(
     sums.begin_total(halo);
     bodies::predict(model, mechanism, state, moving);
     contact::solve(model, state, soil, halo, contact, moving);
-    // First: contact nodes in ghost layers then get their velocities after contact, which are known here, too.
+    // First: contact nodes in ghost layers then get their velocities after contact, which are known here,
+    // too.
     end_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter_mut());
     let work = contact::apply(model, state, soil, contact, moving);
     bodies::advance(mechanism, state, moving);

@@ -1,5 +1,5 @@
-//! Volume fractions of ground that is not made of boxes: with an uneven surface, and with bodies of other soil in it. They follow from
-//! samples of the surface and of the distances to the bodies.
+//! Volume fractions of ground that is not made of boxes: with an uneven surface, and with bodies of other
+//! soil in it. They follow from samples of the surface and of the distances to the bodies.
 
 use crate::grid::Grid;
 use crate::model::{Ground, SoilBody};
@@ -7,11 +7,12 @@ use glam::DVec3;
 
 /// Samples along each axis of a cell (chosen: a plane through a cube cuts its volume to 0.5 %).
 const SAMPLES: usize = 6;
-/// Portions of a cell that count as none or all of it: a surface that lies on a face up to rounding lies on it.
+/// Portions of a cell that count as none or all of it: a surface that lies on a face up to rounding lies on
+/// it.
 const ROUNDING: f64 = 1e-9;
 
-/// Calls `each(cell, portions)` for every cell with soil in it: the portions of its volume that each soil body takes, and then each
-/// filling.
+/// Calls `each(cell, portions)` for every cell with soil in it: the portions of its volume that each soil
+/// body takes, and then each filling.
 pub(crate) fn portions(grid: &Grid, ground: &Ground, mut each: impl FnMut(usize, &[f64])) {
     let [nx, ny, nz] = grid.cells();
     let mut found = vec![0.0; ground.bodies.len() + ground.fillings.len()];
@@ -36,7 +37,8 @@ pub(crate) fn portions(grid: &Grid, ground: &Ground, mut each: impl FnMut(usize,
     }
 }
 
-/// How far the surface lies above the level one over a column of cells [m], at points spread evenly over it; at one where it is level.
+/// How far the surface lies above the level one over a column of cells [m], at points spread evenly over it;
+/// at one where it is level.
 fn rises(grid: &Grid, ground: &Ground, [i, j]: [usize; 2]) -> Vec<f64> {
     if ground.relief.is_level() {
         return vec![0.0];
@@ -48,7 +50,8 @@ fn rises(grid: &Grid, ground: &Ground, [i, j]: [usize; 2]) -> Vec<f64> {
     places.map(|[n, m]| ground.relief.at([at(0, i, n), at(1, j, m)])).collect()
 }
 
-/// Height of the ground's surface that lies so far above the level one, and of the top of a filling below it [m].
+/// Height of the ground's surface that lies so far above the level one, and of the top of a filling below
+/// it [m].
 fn top(ground: &Ground, filling: usize, rise: f64) -> f64 {
     let surface = ground.fillings[0].high.z + rise;
     if filling == 0 { surface } else { ground.fillings[filling].high.z.min(surface) }
@@ -98,8 +101,9 @@ impl Cell {
         }
     }
 
-    /// The portions of the bodies, the first of which takes what it covers, and of the fillings in what they leave. Samples are as
-    /// nearly cubes as the cell allows, so that those at the surface of a body can be weighted.
+    /// The portions of the bodies, the first of which takes what it covers, and of the fillings in what they
+    /// leave. Samples are as nearly cubes as the cell allows, so that those at the surface of a body can be
+    /// weighted.
     fn sampled(&self, ground: &Ground, near: &[(usize, &SoilBody)], found: &mut [f64]) {
         let (first, body) = near[0];
         if body.distance(self.low + 0.5 * self.width) <= -0.5 * self.width.length() {

@@ -79,14 +79,15 @@ impl<R: Precision> Workspace<R> {
         workspace
     }
 
-    /// What each row of cells of the block costs in a step, over that of a row of which no cell yields; y fastest.
+    /// What each row of cells of the block costs in a step, over that of a row of which no cell yields; y
+    /// fastest.
     #[must_use]
     pub fn costs(&self, grid: &Grid) -> Vec<f64> {
         self.soil.costs_of_own(grid)
     }
 
-    /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All blocks must do so after the
-    /// same step.
+    /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All
+    /// blocks must do so after the same step.
     ///
     /// # Panics
     /// If there are not as many blocks as before.
@@ -120,7 +121,8 @@ impl<R: Precision> Workspace<R> {
         self.soil.threads()
     }
 
-    /// Whether the nodes that contact needs of this block are moved before the others, so that they reach the other blocks meanwhile.
+    /// Whether the nodes that contact needs of this block are moved before the others, so that they reach the
+    /// other blocks meanwhile.
     #[must_use]
     pub fn moves_contact_first(&self) -> bool {
         self.soil.far_portions > 0

@@ -1,4 +1,5 @@
-//! Formulas of keys that follow from others: numbers with units, names, `+ - * / ^`, brackets and a few functions.
+//! Formulas of keys that follow from others: numbers with units, names, `+ - * / ^`, brackets and a few
+//! functions.
 
 use coulter::case::quantity::{self, Dimension, describe};
 

@@ -10,7 +10,8 @@ fn named<T>(result: io::Result<T>, action: &'static str, path: &Path) -> Result<
     result.map_err(|source| FileError { action, path: path.to_path_buf(), source })
 }
 
-/// The content of an ordinary file that the user has named; one of more than `most` bytes, a folder or a pipe is refused.
+/// The content of an ordinary file that the user has named; one of more than `most` bytes, a folder or a pipe
+/// is refused.
 ///
 /// # Errors
 /// [`FileError`] where it cannot be read.
@@ -34,7 +35,8 @@ pub fn read_inside(from: &Inside, most: u64) -> Result<Vec<u8>, FileError> {
     named(from.read(most), "read", &from.path())
 }
 
-/// Writes a whole file, so that neither a kill nor another process that writes the same file leaves half of one.
+/// Writes a whole file, so that neither a kill nor another process that writes the same file leaves half of
+/// one.
 ///
 /// # Errors
 /// [`FileError`] where it cannot be written.

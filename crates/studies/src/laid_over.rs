@@ -6,7 +6,8 @@ use coulter::history::steady::moving_average;
 use coulter::output::plots::{Overlay, PlotKind};
 use std::path::Path;
 
-/// Width of the moving average of the forces of another run, over the length of its curve (chosen: as smooth as the report's own).
+/// Width of the moving average of the forces of another run, over the length of its curve (chosen: as smooth
+/// as the report's own).
 const SMOOTHING: f64 = 0.02;
 
 /// Which quantity over which belongs to which plot.
@@ -19,9 +20,10 @@ const PLOTS: [(PlotKind, Quantity, Quantity); 6] = [
     (PlotKind::AxleTorque, Quantity::Displacement, Quantity::Torque),
 ];
 
-/// The curves of a results folder or of a measured CSV file, overlaid on the plots of all bodies of a report, and the record
-/// that they are from. `body` names the body of a run with several, and `choices` say what the columns of a measurement are, whose forces
-/// have the signs of those of the report's own run, in the folder `run`.
+/// The curves of a results folder or of a measured CSV file, overlaid on the plots of all bodies of a report,
+/// and the record that they are from. `body` names the body of a run with several, and `choices` say what the
+/// columns of a measurement are, whose forces have the signs of those of the report's own run, in the folder
+/// `run`.
 ///
 /// # Errors
 /// [`Unreadable`] says what is wrong with it, also where it has no curve that a report shows.
@@ -58,7 +60,8 @@ fn overlays(item: &Item, path: &Path) -> Result<Vec<Overlay>, Unreadable> {
     Ok(overlays)
 }
 
-/// A measurement whose forces have the signs of those of a run, along the first abscissa of the plots that the measurement has.
+/// A measurement whose forces have the signs of those of a run, along the first abscissa of the plots that
+/// the measurement has.
 fn signed_as(measured: Item, run: Item) -> Result<Item, String> {
     let along = measured.record.abscissae().find(|along| PLOTS.iter().any(|(_, x, _)| x == along));
     let Some(along) = along else { return Ok(measured) };

@@ -1,4 +1,5 @@
-//! A self-contained HTML page of tables and charts, in the look of the report of a run; tables as text for a terminal.
+//! A self-contained HTML page of tables and charts, in the look of the report of a run; tables as text for a
+//! terminal.
 
 pub(crate) use coulter::case::quantity::short;
 use coulter::output::render_page;

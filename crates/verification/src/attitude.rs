@@ -1,4 +1,5 @@
-//! D8: a disc with a yaw and a tilt, towed at a fixed depth; its mirror image, and the whole set-up turned by 90°.
+//! D8: a disc with a yaw and a tilt, towed at a fixed depth; its mirror image, and the whole set-up turned by
+//! 90°.
 
 use crate::error::VerifyError;
 use crate::probe::mean;
@@ -16,7 +17,8 @@ const CASE: &str = include_str!("../validation/D8_yaw_and_tilt/case.toml");
 /// Yaw and tilt [°].
 const YAWS: [f64; 5] = [0.0, 10.0, 20.0, 30.0, 45.0];
 const TILTS: [f64; 2] = [0.0, 15.0];
-/// Attitudes whose first steps are compared with those of their mirror image, and of the set-up turned by 90° [°].
+/// Attitudes whose first steps are compared with those of their mirror image, and of the set-up turned by
+/// 90° [°].
 const MIRRORED: [[f64; 2]; 3] = [[20.0, 0.0], [0.0, 15.0], [45.0, 15.0]];
 const TURNED: [[f64; 2]; 2] = [[0.0, 0.0], [20.0, 15.0]];
 /// The attitude of the whole tow that is turned [°].
@@ -57,7 +59,8 @@ fn attitude([yaw, tilt]: [f64; 2]) -> Vec<String> {
     vec![format!("body.disc.yaw={yaw} deg"), format!("body.disc.tilt={tilt} deg")]
 }
 
-/// Overrides of the case with everything turned by 90° about z: the disc, its tow (after this ramp), the box and the fine cells in it.
+/// Overrides of the case with everything turned by 90° about z: the disc, its tow (after this ramp), the box
+/// and the fine cells in it.
 fn turned([yaw, tilt]: [f64; 2], ramp: &str) -> Vec<String> {
     let mut sets = attitude([yaw + 90.0, tilt]);
     let whole = [
@@ -120,8 +123,9 @@ fn turned_back(load: &Load) -> Load {
     Load { force: back(load.force), moment: back(load.moment) }
 }
 
-/// The first steps of two runs, at full speed from the first, with a remap for each hundredth of a cell, so that there are some in
-/// every order of the sweeps. `back` changes a load of the second run to what it would be in the first.
+/// The first steps of two runs, at full speed from the first, with a remap for each hundredth of a cell, so
+/// that there are some in every order of the sweeps. `back` changes a load of the second run to what it would
+/// be in the first.
 fn compare(
     runner: &mut Runner,
     variant: &str,
@@ -202,8 +206,8 @@ fn tow(runner: &mut Runner, angles: [f64; 2]) -> Result<Option<Load>, VerifyErro
     Ok(Some(load))
 }
 
-/// What 3D-RFT says of a case: load and turn ratio. Where it gives no lateral force and no moments, of an upright disc along the
-/// tow, they vanish: by symmetry, and because the axle is free.
+/// What 3D-RFT says of a case: load and turn ratio. Where it gives no lateral force and no moments, of an
+/// upright disc along the tow, they vanish: by symmetry, and because the axle is free.
 fn forecast(case: &Case) -> Option<(Load, f64)> {
     let outlook = outlook(case).ok()?;
     let model = outlook.forecast.models.iter().find(|m| m.model == Candidate::SpatialResistive)?;

@@ -3,8 +3,8 @@
 use crate::error::VerifyError;
 use analytic::bearing::{davis_friction_angle, surcharge_factor};
 
-/// Penetrations between which the load is averaged, in units of N_γ γ B²/E: beyond the elastic rise, before the heave
-/// matters.
+/// Penetrations between which the load is averaged, in units of N_γ γ B²/E: beyond the elastic rise, before
+/// the heave matters.
 const STRETCH: [f64; 2] = [3.0, 6.0];
 
 /// A footing on sand.
@@ -23,9 +23,9 @@ impl Footing {
         STRETCH.map(|times| times * self.expected * self.compliance)
     }
 
-    /// N_γ = 2 q/(γ B) − 2 (w/B) N_q, mean over the stretch: the load carried less the overburden of the penetration, by
-    /// Prandtl and Reissner's N_q at φ with ψ = φ, otherwise at Davis' angle, where it takes off less. Every point is
-    /// w/B and 2 q/(γ B).
+    /// N_γ = 2 q/(γ B) − 2 (w/B) N_q, mean over the stretch: the load carried less the overburden of the
+    /// penetration, by Prandtl and Reissner's N_q at φ with ψ = φ, otherwise at Davis' angle, where it takes
+    /// off less. Every point is w/B and 2 q/(γ B).
     ///
     /// # Errors
     /// If there is no factor N_q at this angle.

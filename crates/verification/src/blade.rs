@@ -38,8 +38,9 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     runner.put("F2", variant, simulation.wall_s, &figures)
 }
 
-/// Root mean square over the sheared zone, over the mean pressure there: of the departure of the pressure of a column and a layer [Pa]
-/// from the mean of the four neighbours in the x–z plane, and of the part that alternates along x and z.
+/// Root mean square over the sheared zone, over the mean pressure there: of the departure of the pressure of
+/// a column and a layer [Pa] from the mean of the four neighbours in the x–z plane, and of the part that
+/// alternates along x and z.
 fn roughness(simulation: &Simulation, pressure_of: impl Fn([usize; 2]) -> f64) -> [f64; 2] {
     let [nx, _, nz] = simulation.model.grid.cells();
     let cells = (1..nz - 1).flat_map(|k| (1..nx - 1).map(move |i| [i, k]));
@@ -64,8 +65,8 @@ fn pressure_of(simulation: &Simulation, [i, k]: [usize; 2]) -> f64 {
     -mean(simulation.state.soil.stress.each_ref().map(|component| component[c]))
 }
 
-/// Whether the cell of a column and a layer lies in the sheared zone: above the plane that rises from the toe, clear of the blade,
-/// and like its eight neighbours full of soil.
+/// Whether the cell of a column and a layer lies in the sheared zone: above the plane that rises from the
+/// toe, clear of the blade, and like its eight neighbours full of soil.
 fn is_in_zone(simulation: &Simulation, [i, k]: [usize; 2]) -> bool {
     let Simulation { model, state, .. } = simulation;
     let grid = &model.grid;

@@ -1,7 +1,8 @@
 //! A cache on disk of what a stopped verification has already obtained.
 //!
-//! Every finished part of a benchmark leaves its rows and balances in a file, which begins with a hash of the program
-//! itself (and so of the cases in it) and of the options. Another program, or other options, ignore and overwrite it.
+//! Every finished part of a benchmark leaves its rows and balances in a file, which begins with a hash of the
+//! program itself (and so of the cases in it) and of the options. Another program, or other options, ignore
+//! and overwrite it.
 
 use crate::options::SuiteOptions;
 use crate::row::Row;

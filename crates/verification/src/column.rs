@@ -91,7 +91,8 @@ fn convergence(runner: &mut Runner, a: f64) -> Result<(), VerifyError> {
     runner.put("C1", &case, 0.0, &[("change of the run-out over the previous change", ratio)])
 }
 
-/// Run-out for a = 1, φ = 37° on a mesh of this many cells over L₀; the front is where the sand is 0.025 L₀ thick.
+/// Run-out for a = 1, φ = 37° on a mesh of this many cells over L₀; the front is where the sand is 0.025 L₀
+/// thick.
 pub(crate) fn run_out_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyError> {
     collapse(runner, STEEP_SOIL, 1.0, cells)?;
     Ok(runner.obtained("C1", &name(STEEP_SOIL, 1.0, cells), RUN_OUT_FIXED))

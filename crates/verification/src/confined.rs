@@ -10,7 +10,8 @@ use physics::tensor::Symmetric;
 const INCREMENTS: usize = 600;
 const INCREMENT: f64 = 1e-4;
 
-/// Largest deviation of axial and lateral stress from the exact ones in an oedometer test, over the axial stress.
+/// Largest deviation of axial and lateral stress from the exact ones in an oedometer test, over the axial
+/// stress.
 pub(crate) fn oedometer<S: Specimen>(
     [friction, dilation, cohesion]: [f64; 3],
     make: impl Fn(Elastic, Law, Symmetric) -> S,
@@ -32,8 +33,8 @@ pub(crate) fn oedometer<S: Specimen>(
 
 const AT_REST: Symmetric = [-CONFINEMENT, -CONFINEMENT, -CONFINEMENT, 0.0, 0.0, 0.0];
 
-/// Axial and lateral pressure [Pa] after an axial compression without lateral strain: elastic, then on the edge
-/// σ_x = σ_y = K_a σ_z of the pyramid, where both of its planes yield equally.
+/// Axial and lateral pressure [Pa] after an axial compression without lateral strain: elastic, then on the
+/// edge σ_x = σ_y = K_a σ_z of the pyramid, where both of its planes yield equally.
 fn confined(phi: f64, psi: f64, cohesion: f64, strain: f64) -> [f64; 2] {
     let (young, poisson) = (2e8, 0.3);
     let elastic = Elastic::new(young, poisson);
@@ -49,15 +50,17 @@ fn confined(phi: f64, psi: f64, cohesion: f64, strain: f64) -> [f64; 2] {
     if strain <= first {
         return [CONFINEMENT + axial * strain, CONFINEMENT + lateral * strain];
     }
-    // Lateral strain: the elastic strain (K_a (1 − ν) − ν) dσ/E and the plastic strain cancel; the axial plastic strain follows from ψ.
+    // Lateral strain: the elastic strain (K_a (1 − ν) − ν) dσ/E and the plastic strain cancel; the axial
+    // plastic strain follows from ψ.
     let flow = 2.0 * (1.0 - psi.sin()) / (1.0 + psi.sin());
     let compliance = (1.0 - 2.0 * poisson * active + flow * (active * (1.0 - poisson) - poisson)) / young;
     let pressure = CONFINEMENT + axial * first + (strain - first) / compliance;
     [pressure, active * pressure - bond]
 }
 
-/// Largest deviation of the stress from the exact one over the largest pressure, when a specimen is compressed
-/// isotropically, unloaded until it separates, and compressed again: the gap must close before pressure builds up.
+/// Largest deviation of the stress from the exact one over the largest pressure, when a specimen is
+/// compressed isotropically, unloaded until it separates, and compressed again: the gap must close before
+/// pressure builds up.
 pub(crate) fn isotropic<S: Specimen>(
     [friction, dilation, cohesion]: [f64; 3],
     opens: bool,

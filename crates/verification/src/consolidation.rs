@@ -74,7 +74,8 @@ fn consolidate(model: &Model, height: f64) -> Result<[f64; 3], VerifyError> {
     Ok(ratios)
 }
 
-/// Terzaghi's excess pore pressure over γ′ H, at a depth over H and a time T, drained at the top only, from γ′ z at the start.
+/// Terzaghi's excess pore pressure over γ′ H, at a depth over H and a time T, drained at the top only, from
+/// γ′ z at the start.
 fn exact(depth: f64, time: f64) -> f64 {
     let term = |n: u32| {
         let m = (f64::from(n) + 0.5) * PI;

@@ -6,8 +6,8 @@ use crate::row::Row;
 use crate::runner::Runner;
 use crate::{column, wall};
 
-/// A variant, its benchmark, the override that makes it wrong, and how the names of the quantities that must then fail
-/// begin.
+/// A variant, its benchmark, the override that makes it wrong, and how the names of the quantities that must
+/// then fail begin.
 type Control = (&'static str, fn(&mut Runner) -> Result<(), VerifyError>, &'static str, &'static str);
 
 const CONTROLS: [Control; 2] = [

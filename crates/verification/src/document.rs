@@ -1,4 +1,5 @@
-//! The tables in the documents: a few figures between two markers in README.md, all of them in docs/verification.md.
+//! The tables in the documents: a few figures between two markers in README.md, all of them in
+//! docs/verification.md.
 
 use crate::expected_failures::ExpectedFailure;
 use crate::findings::Findings;
@@ -14,7 +15,8 @@ use std::path::Path;
 const BEGIN: &str = "<!-- verify:begin -->";
 const END: &str = "<!-- verify:end -->";
 
-/// The figures that README.md shows, chosen for what readers know from textbooks: id, case, quantity, and what it is called there.
+/// The figures that README.md shows, chosen for what readers know from textbooks: id, case, quantity, and
+/// what it is called there.
 const HEADLINES: [[&str; 4]; 6] = [
     ["B2", "B/h = 32", "bearing capacity factor N_c", "rough strip footing on clay, N_c"],
     [
@@ -74,7 +76,8 @@ fn headlines(rows: &[Row]) -> String {
     text
 }
 
-/// One line for every benchmark: how many of its figures pass, and the one that deviates most from what was expected.
+/// One line for every benchmark: how many of its figures pass, and the one that deviates most from what was
+/// expected.
 fn summary(rows: &[Row]) -> String {
     let mut text = String::from(
         "| id | benchmark | pass | fail | outside | figure with the largest error over its tolerance | expected | obtained | error over tolerance |\n\
@@ -89,8 +92,8 @@ fn summary(rows: &[Row]) -> String {
     text
 }
 
-/// The line of one benchmark: its counts, and the judged figure with the largest error over its tolerance; without judged
-/// figures, one outside a published range or any that is compared with one.
+/// The line of one benchmark: its counts, and the judged figure with the largest error over its tolerance;
+/// without judged figures, one outside a published range or any that is compared with one.
 fn summary_line(benchmark: &Benchmark, rows: &[&Row]) -> String {
     let count = |judgement: Judgement| rows.iter().filter(|row| row.judgement() == judgement).count();
     let emphasised = |count: usize| if count > 0 { format!("**{count}**") } else { "0".to_owned() };

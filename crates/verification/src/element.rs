@@ -169,8 +169,8 @@ fn exact(test: Test, phi: f64, psi: f64, cohesion: f64) -> [f64; 2] {
     }
 }
 
-/// Dilatancy of a triaxial test with the smooth potential, whose ellipse meets the hexagon on both meridians. `offset` is
-/// ε c [Pa], `axial` the axial stress at failure [Pa].
+/// Dilatancy of a triaxial test with the smooth potential, whose ellipse meets the hexagon on both meridians.
+/// `offset` is ε c [Pa], `axial` the axial stress at failure [Pa].
 fn smooth_dilatancy(test: Test, phi: f64, psi: f64, offset: f64, axial: f64) -> f64 {
     let sign = if test == Test::Compression { 1.0 } else { -1.0 };
     let hexagon = (3.0 - sign * phi.sin()) / (6.0 * phi.cos());
@@ -179,8 +179,8 @@ fn smooth_dilatancy(test: Test, phi: f64, psi: f64, offset: f64, axial: f64) -> 
     psi.tan() / (slope - sign * psi.tan() / 3.0)
 }
 
-/// The strain increment with the driven components as given, the free ones such that their stresses stay at the confining
-/// pressure. Newton's method with finite differences: the law is piecewise linear.
+/// The strain increment with the driven components as given, the free ones such that their stresses stay at
+/// the confining pressure. Newton's method with finite differences: the law is piecewise linear.
 fn controlled(
     specimen: &impl Specimen,
     driven: Symmetric,

@@ -27,7 +27,8 @@ pub struct Expectation {
     pub tolerance: Tolerance,
     /// Author and year, or the reason.
     pub source: String,
-    /// Values of a reference curve, in the unit of the quantity they are compared with; empty if there is none.
+    /// Values of a reference curve, in the unit of the quantity they are compared with; empty if there is
+    /// none.
     pub curve: Vec<f64>,
     cases: Vec<String>,
     fast: Vec<String>,

@@ -1,6 +1,7 @@
 //! The rows that are expected to fail, each with its reason.
 //!
-//! They stand in one file. A row that fails without being listed, and one that is listed but passes, are both reported.
+//! They stand in one file. A row that fails without being listed, and one that is listed but passes, are both
+//! reported.
 
 use crate::list::find;
 use crate::row::Row;
@@ -51,8 +52,8 @@ pub fn expected_failures() -> Vec<ExpectedFailure> {
     toml::from_str::<List>(FILE).map(|list| list.row).unwrap_or_default()
 }
 
-/// Where the rows disagree with the list: rows that fail without being listed, and listed rows that pass. The worst run of
-/// the `fast` part of a benchmark may pass where that of the whole benchmark does not.
+/// Where the rows disagree with the list: rows that fail without being listed, and listed rows that pass. The
+/// worst run of the `fast` part of a benchmark may pass where that of the whole benchmark does not.
 #[must_use]
 pub fn disagreements(rows: &[Row], expected: &[ExpectedFailure], fast: bool) -> Vec<String> {
     let mut all = Vec::new();

@@ -1,5 +1,5 @@
-//! B1, B2, B9, B10, B11: a strip footing on weightless undrained soil: smooth, rough, nearly incompressible soil, strength that grows with
-//! depth, and two layers.
+//! B1, B2, B9, B10, B11: a strip footing on weightless undrained soil: smooth, rough, nearly incompressible
+//! soil, strength that grows with depth, and two layers.
 
 use crate::error::VerifyError;
 use crate::probe::mean;
@@ -164,12 +164,14 @@ impl Strip {
             format!("grid.aspect=[{}, 1, 1]", self.flatness),
             format!("body.footing.size=['{width} m', '0.5 m']"),
             format!("soil.poisson_ratio={}", self.poisson_ratio),
-            // The grid must not follow the edges: the effect of their position within a cell is what is studied.
+            // The grid must not follow the edges: the effect of their position within a cell is what is
+            // studied.
             "grid.fit=false".to_owned(),
         ];
         overrides.extend(self.below.iter().cloned());
         let simulation = runner.run(self.id, variant, self.case, &overrides)?;
-        // Where strength changes with depth it is read early: with every hundredth of a width the footing finds another one.
+        // Where strength changes with depth it is read early: with every hundredth of a width the footing
+        // finds another one.
         let range = if self.below.is_empty() { [0.03, 0.06] } else { [0.005, 0.01] }.map(|part| part * WIDTH);
         let force = mean(&simulation.history.bodies[0], range, |s| s.sinkage, |s| s.vertical);
         Ok((force / (width * STRENGTH), simulation.wall_s))

@@ -74,7 +74,8 @@ fn slide(runner: &mut Runner, variant: &str, face: Face, cell: f64) -> Result<()
     runner.put("F1", variant, seconds, &figures)
 }
 
-/// Of the last step, summed over the contact points: normal impulse, tangential impulse, and its component against the motion.
+/// Of the last step, summed over the contact points: normal impulse, tangential impulse, and its component
+/// against the motion.
 fn impulses(state: &State) -> [f64; 3] {
     let twist = state.twist(0);
     let each = state.contacts.iter().map(|contact| {
@@ -108,8 +109,8 @@ fn model(face: Face, cell: f64) -> Model {
     model
 }
 
-/// The body, in the middle `y` of the slab [m]: a block of which one face slides along itself, everything beyond it filled by the
-/// block; or a drum that turns in its place.
+/// The body, in the middle `y` of the slab [m]: a block of which one face slides along itself, everything
+/// beyond it filled by the block; or a drum that turns in its place.
 fn body(face: Face, y: f64) -> BodyModel {
     let moving =
         |speed: f64| Motion::Prescribed { before: 0.0, speed, start: 0.0, ramp: 0.05, end: f64::INFINITY };

@@ -1,4 +1,5 @@
-//! How the runs of the suite are graded: whether those with the right answer are graded good, and how the others are.
+//! How the runs of the suite are graded: whether those with the right answer are graded good, and how the
+//! others are.
 
 use crate::findings::Findings;
 use crate::row::{Judgement, Row};
@@ -6,8 +7,8 @@ use crate::run_balances::RunBalances;
 use coulter::trust;
 use std::fmt::Write;
 
-/// Whether all judged rows that depend on a run pass: those of its own case or, where the rows are named differently, all
-/// rows of its benchmark.
+/// Whether all judged rows that depend on a run pass: those of its own case or, where the rows are named
+/// differently, all rows of its benchmark.
 fn passes(run: &RunBalances, rows: &[Row]) -> bool {
     let of_benchmark = || rows.iter().filter(|row| row.id == run.id);
     let own: Vec<&Row> = of_benchmark().filter(|row| row.case.starts_with(&run.case)).collect();

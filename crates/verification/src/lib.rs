@@ -1,8 +1,9 @@
 //! The verification suite: benchmarks with a known answer, run, read and compared.
 //!
-//! A benchmark is a folder in `validation/`, which explains it and says in `expected.toml` what is expected of every figure,
-//! and a file here, which varies the case and reads the figures. It uses a [`runner::Runner`], which puts each figure beside
-//! what is expected: the [`row::Row`]s. Benchmarks that a case file can describe are run from one, through the public API.
+//! A benchmark is a folder in `validation/`, which explains it and says in `expected.toml` what is expected
+//! of every figure, and a file here, which varies the case and reads the figures. It uses a
+//! [`runner::Runner`], which puts each figure beside what is expected: the [`row::Row`]s. Benchmarks that a
+//! case file can describe are run from one, through the public API.
 
 mod advection;
 mod attitude;
@@ -76,10 +77,12 @@ use options::SuiteOptions;
 use runner::Runner;
 use std::time::Instant;
 
-/// Runs the benchmarks with these ids (all if there are none); `progress` is called with every line on progress.
+/// Runs the benchmarks with these ids (all if there are none); `progress` is called with every line on
+/// progress.
 pub fn verify(ids: &[&'static str], options: &SuiteOptions, progress: &mut dyn FnMut(&str)) -> Findings {
     let is_wanted = |b: &Benchmark| ids.is_empty() || ids.contains(&b.id);
-    // Benchmarks on the balances, asked for alone, need all runs; otherwise those of the runs asked for with them.
+    // Benchmarks on the balances, asked for alone, need all runs; otherwise those of the runs asked for with
+    // them.
     let needs_all = BENCHMARKS.iter().all(|b| !is_wanted(b) || matches!(b.work, Procedure::Balances(_)));
     let expectations = match expectations() {
         Ok(expectations) => expectations,

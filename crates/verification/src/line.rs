@@ -1,7 +1,8 @@
-//! Extrapolation of a force to zero displacement. Limit loads are those of the undeformed geometry; heave and embedment add
-//! in proportion to the displacement.
+//! Extrapolation of a force to zero displacement. Limit loads are those of the undeformed geometry; heave and
+//! embedment add in proportion to the displacement.
 
-/// Value at 0 of the straight line that fits the points best (least squares); not a number for fewer than two points.
+/// Value at 0 of the straight line that fits the points best (least squares); not a number for fewer than two
+/// points.
 pub(crate) fn at_zero(points: &[[f64; 2]]) -> f64 {
     let count = points.len() as f64;
     let middle = |axis: usize| points.iter().map(|p| p[axis]).sum::<f64>() / count;

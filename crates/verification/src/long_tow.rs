@@ -45,7 +45,8 @@ fn travelled(simulation: &Simulation) -> f64 {
     simulation.history.bodies[0].last().map_or(0.0, |sample| sample.displacement / DIAMETER)
 }
 
-/// Median ratio of the processor times of both runs, taken in turns: the speed of the machine changes over minutes.
+/// Median ratio of the processor times of both runs, taken in turns: the speed of the machine changes over
+/// minutes.
 fn slowdown(late: &mut Simulation, early: &mut Simulation) -> Result<f64, VerifyError> {
     let [pairs, steps] = PAIRS;
     let time = |simulation: &mut Simulation| {

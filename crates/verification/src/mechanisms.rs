@@ -87,7 +87,8 @@ fn larger(worst: f64, error: f64) -> f64 {
     if error.abs() > worst || error.is_nan() { error.abs() } else { worst }
 }
 
-/// A body with three different moments of inertia, thrown near its middle axis, about which the motion is unstable.
+/// A body with three different moments of inertia, thrown near its middle axis, about which the motion is
+/// unstable.
 fn asymmetric_top() -> Figures {
     let rotation = DQuat::from_rotation_z(0.4) * DQuat::from_rotation_x(-1.1);
     let angular = DVec3::new(0.1, 1.0, 0.1);
@@ -106,7 +107,8 @@ fn asymmetric_top() -> Figures {
     vec![(ENERGY, energy), (MOMENTUM, worst)]
 }
 
-/// A heavy symmetric top, its tip on a ball joint, in steady precession: I₃ ω₃ φ̇ − I₁ φ̇² cos θ = m g s, with I₁ about the tip.
+/// A heavy symmetric top, its tip on a ball joint, in steady precession: I₃ ω₃ φ̇ − I₁ φ̇² cos θ = m g s,
+/// with I₁ about the tip.
 fn gyroscope() -> Figures {
     let (mass, arm, along, across) = (2.0, 0.15, 0.01, 0.006);
     let (tilt, precession): (f64, f64) = (0.7, 4.0);

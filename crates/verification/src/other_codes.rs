@@ -1,5 +1,6 @@
-//! E1 to E3: problems that other codes have been run on. Only the wall is judged, which has an exact solution: the codes
-//! differ among themselves by more than any tolerance. Their figures and run times are in `docs/performance.md`.
+//! E1 to E3: problems that other codes have been run on. Only the wall is judged, which has an exact
+//! solution: the codes differ among themselves by more than any tolerance. Their figures and run times are in
+//! `docs/performance.md`.
 
 use crate::error::VerifyError;
 use crate::probe::mean;
@@ -58,8 +59,8 @@ pub(crate) fn wall(runner: &mut Runner) -> Result<(), VerifyError> {
     runner.put("E3", "H/h = 16", simulation.wall_s, &figures)
 }
 
-/// The coordinate along an axis below which [`MASS_FRACTION`] of the soil lies [m]; the soil of a cell counts as distributed
-/// evenly over it.
+/// The coordinate along an axis below which [`MASS_FRACTION`] of the soil lies [m]; the soil of a cell counts
+/// as distributed evenly over it.
 fn quantile(simulation: &Simulation, axis: usize) -> f64 {
     let (grid, mass) = (&simulation.model.grid, &simulation.state.soil.mass);
     let [nx, ny, nz] = grid.cells();

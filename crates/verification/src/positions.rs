@@ -105,8 +105,8 @@ fn directions(runner: &mut Runner, body: &str, text: &str) -> Result<(), VerifyE
     Ok(())
 }
 
-/// Mean of a force over a range of displacements along the motion, whose component along x is `cos`, over strength and
-/// width.
+/// Mean of a force over a range of displacements along the motion, whose component along x is `cos`, over
+/// strength and width.
 fn force(simulation: &Simulation, range: [f64; 2], cos: f64, value: impl Fn(&BodySample) -> f64) -> f64 {
     mean(&simulation.history.bodies[0], range, |s| s.displacement / cos, value) / UNIT
 }

@@ -55,8 +55,8 @@ fn smooth(
     runner.put("P1", name, double.wall_s + single.wall_s, &[("force, single over double", ratio)])
 }
 
-/// The towed disc, in which rounding errors grow: several runs in each precision, with weights that differ by less than
-/// could be measured.
+/// The towed disc, in which rounding errors grow: several runs in each precision, with weights that differ by
+/// less than could be measured.
 fn towed(runner: &mut Runner) -> Result<(), VerifyError> {
     let variants = ["drag", "sinkage"].map(|name| format!("D3, d/h = 10, {RUNS} runs each, {name}"));
     if !runner.wants("P1", &variants[0])? {

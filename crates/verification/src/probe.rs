@@ -3,8 +3,8 @@
 use coulter::history::BodySample;
 use coulter::simulation::Simulation;
 
-/// Mean of a figure over the samples whose abscissa lies in `from..=to`, each weighted by its interval; not a number if
-/// there are none.
+/// Mean of a figure over the samples whose abscissa lies in `from..=to`, each weighted by its interval; not a
+/// number if there are none.
 #[must_use]
 pub(crate) fn mean(
     samples: &[BodySample],

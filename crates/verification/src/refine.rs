@@ -1,5 +1,5 @@
-//! `coulter verify --refine`: the same benchmark on finer and finer meshes, the observed order of convergence and the
-//! Richardson extrapolation.
+//! `coulter verify --refine`: the same benchmark on finer and finer meshes, the observed order of convergence
+//! and the Richardson extrapolation.
 
 use crate::error::VerifyError;
 use crate::findings::Findings;
@@ -22,7 +22,8 @@ struct Study {
     figure: fn(&mut Runner, u32) -> Result<f64, VerifyError>,
 }
 
-/// In plane strain the cells are halved, in 3D they become a third smaller: time grows with the third and fourth power.
+/// In plane strain the cells are halved, in 3D they become a third smaller: time grows with the third and
+/// fourth power.
 const STUDIES: [Study; 11] = [
     Study {
         id: "A11",
@@ -163,8 +164,8 @@ impl Study {
     }
 }
 
-/// Observed order and extrapolated value from three meshes, coarse to fine, each finer than the one before by `ratio`.
-/// Both are not a number where the differences do not shrink with one sign: there is no order then.
+/// Observed order and extrapolated value from three meshes, coarse to fine, each finer than the one before by
+/// `ratio`. Both are not a number where the differences do not shrink with one sign: there is no order then.
 fn richardson([coarse, middle, fine]: [f64; 3], ratio: f64) -> (f64, f64) {
     let on = |width: f64, value: f64| OnMesh { width, value };
     let meshes = [on(ratio * ratio, coarse), on(ratio, middle), on(1.0, fine)];

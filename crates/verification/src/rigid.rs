@@ -108,9 +108,9 @@ fn bouncing(runner: &mut Runner) -> Result<(), VerifyError> {
     runner.put("A6", variant, simulation.wall_s, &figures)
 }
 
-/// Speed at which a body leaves a bar of its own mass, fixed at its other end, over that at which it struck it. With
-/// x the time since the wave's return in units of L/c: the force e^(−x−2) + (2 − 2x) e^(−x) ends, the speed is then
-/// 2x e^(−x) − e^(−x−2).
+/// Speed at which a body leaves a bar of its own mass, fixed at its other end, over that at which it struck
+/// it. With x the time since the wave's return in units of L/c: the force e^(−x−2) + (2 − 2x) e^(−x) ends,
+/// the speed is then 2x e^(−x) − e^(−x−2).
 fn rebound_exact() -> f64 {
     let end = 1.0 + 0.5 * (-2.0_f64).exp();
     2.0 * end * (-end).exp() - (-end - 2.0).exp()

@@ -1,4 +1,5 @@
-//! One line of the verification table: what was expected, what was obtained, and whether that is close enough.
+//! One line of the verification table: what was expected, what was obtained, and whether that is close
+//! enough.
 
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -77,7 +78,8 @@ impl Row {
         Self { seconds, ..self }
     }
 
-    /// Deviation from the expected value: a fraction of it where the tolerance is one, otherwise in the quantity's unit.
+    /// Deviation from the expected value: a fraction of it where the tolerance is one, otherwise in the
+    /// quantity's unit.
     #[must_use]
     pub fn error(&self) -> Option<f64> {
         let (off, scale) = match self.expected {
@@ -94,8 +96,8 @@ impl Row {
         Some(if is_absolute || scale == 0.0 { off } else { off / scale.abs() })
     }
 
-    /// Whether a comparison row lies in its range; `None` for a row that is judged, and for one that is compared with a
-    /// single value, which is no range.
+    /// Whether a comparison row lies in its range; `None` for a row that is judged, and for one that is
+    /// compared with a single value, which is no range.
     #[must_use]
     pub fn is_inside(&self) -> Option<bool> {
         match (self.tolerance, self.expected) {
@@ -202,7 +204,8 @@ impl Row {
         }
     }
 
-    /// A comparison row: the same figure compared with a published range. It lies inside or outside, and neither passes nor fails.
+    /// A comparison row: the same figure compared with a published range. It lies inside or outside, and
+    /// neither passes nor fails.
     #[must_use]
     pub fn compared_with(self, low: f64, high: f64, source: &'static str) -> Self {
         Self {

@@ -1,4 +1,5 @@
-//! Runs the cases of the benchmarks, through the same public API as a user's, and collects their rows and balances.
+//! Runs the cases of the benchmarks, through the same public API as a user's, and collects their rows and
+//! balances.
 
 use crate::cache::{CachedPart, ResultCache};
 use crate::error::VerifyError;
@@ -41,7 +42,8 @@ impl std::fmt::Debug for Runner<'_> {
 }
 
 impl<'a> Runner<'a> {
-    /// A runner without results; `progress` is called with a line of text whenever there is something to report.
+    /// A runner without results; `progress` is called with a line of text whenever there is something to
+    /// report.
     pub(crate) fn new(
         expectations: &'static [Expectations],
         options: &'a SuiteOptions,
@@ -92,8 +94,8 @@ impl<'a> Runner<'a> {
         Ok(self.expectations(id)?.contains(case, self.suite))
     }
 
-    /// Enters figures of a variant, (quantity, value), beside what is expected of them; `seconds` is the wall-clock time of
-    /// the runs behind them [s].
+    /// Enters figures of a variant, (quantity, value), beside what is expected of them; `seconds` is the
+    /// wall-clock time of the runs behind them [s].
     ///
     /// # Errors
     /// [`VerifyError::Expectation`] if the `expected.toml` of the benchmark does not know one of them.
@@ -116,8 +118,8 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    /// Does one part of a benchmark, unless the cache holds its results from this very program with the same options;
-    /// then the cached rows and balances are taken.
+    /// Does one part of a benchmark, unless the cache holds its results from this very program with the same
+    /// options; then the cached rows and balances are taken.
     ///
     /// # Errors
     /// What `work` returns; a part that fails is not cached.
@@ -166,8 +168,8 @@ impl<'a> Runner<'a> {
         if self.options.only_list { T::default() } else { length }
     }
 
-    /// A simulation of a case file's text with overrides, which the benchmark itself advances in time; in double precision
-    /// only.
+    /// A simulation of a case file's text with overrides, which the benchmark itself advances in time; in
+    /// double precision only.
     ///
     /// # Errors
     /// [`VerifyError`] when the case is refused or asks for single precision.

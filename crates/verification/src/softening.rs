@@ -78,7 +78,8 @@ fn push(runner: &mut Runner, cells: u32) -> Result<(), VerifyError> {
     runner.put("B5n", &variant, simulation.wall_s, &[(WIDTH, 1e3 * width(&simulation))])
 }
 
-/// Makes the sand at the toe of the wall looser, and that of the whole bank so much denser that its mass stays.
+/// Makes the sand at the toe of the wall looser, and that of the whole bank so much denser that its mass
+/// stays.
 fn loosen(simulation: &mut Simulation) {
     let grid = &simulation.model.grid;
     let mass = &mut simulation.state.soil.mass;
@@ -102,8 +103,8 @@ fn loosen(simulation: &mut Simulation) {
     }
 }
 
-/// Length of the line across the bank along which the plastic strain exceeds half of its largest value there [m],
-/// interpolated between cells.
+/// Length of the line across the bank along which the plastic strain exceeds half of its largest value
+/// there [m], interpolated between cells.
 fn width(simulation: &Simulation) -> f64 {
     let grid = &simulation.model.grid;
     let height = grid.faces[2][0] + LINE * HEIGHT;

@@ -89,8 +89,8 @@ fn mean(thrust: &[Thrust], [from, to]: [f64; 2], value: impl Fn(&Thrust) -> f64)
     sum / time
 }
 
-/// Pushes the wall into sand of these angles of friction and dilation [°], with this many cells over the height. Returns the
-/// thrust in the course of time, and the wall-clock time [s].
+/// Pushes the wall into sand of these angles of friction and dilation [°], with this many cells over the
+/// height. Returns the thrust in the course of time, and the wall-clock time [s].
 fn thrust(
     runner: &mut Runner,
     angles_and_cells @ [angle, dilation, cells]: [u32; 3],
@@ -131,8 +131,8 @@ fn thrust(
     Ok((thrust, simulation.wall_s))
 }
 
-/// Cross-section that the soil above a plane would have at its initial density [m²]: its mass over that density and the
-/// slab's width. The plane rises from the toe of the wall with this slope.
+/// Cross-section that the soil above a plane would have at its initial density [m²]: its mass over that
+/// density and the slab's width. The plane rises from the toe of the wall with this slope.
 fn wedge(simulation: &Simulation, displacement: f64, slope: f64) -> f64 {
     let (grid, mass) = (&simulation.model.grid, &simulation.state.soil.mass);
     let toe = grid.faces[2][0];

@@ -79,7 +79,8 @@ fn at(speed: f64, ratio: f64) -> [String; 3] {
     ]
 }
 
-/// Pushes the wall; returns its mean thrust between two displacements over the height, over ½ γ′ H², and the wall-clock time [s].
+/// Pushes the wall; returns its mean thrust between two displacements over the height, over ½ γ′ H², and the
+/// wall-clock time [s].
 fn push(
     runner: &mut Runner,
     name: &str,

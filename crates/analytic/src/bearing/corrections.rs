@@ -12,7 +12,8 @@ pub enum Method {
     Meyerhof,
     /// Hansen (1970) shape and depth, Vesić (1973) inclination.
     HansenVesic,
-    /// Lyamin et al. (2007), three-dimensional limit analysis, with Meyerhof's inclination factor as it has none.
+    /// Lyamin et al. (2007), three-dimensional limit analysis, with Meyerhof's inclination factor as it has
+    /// none.
     Lyamin,
 }
 
@@ -44,10 +45,10 @@ pub struct Corrections {
 ///
 /// Sources: Meyerhof (1963): s_c = 1 + 0.2 K_p B/L, s_q = s_γ = 1 + 0.1 K_p B/L, d_c = 1 + 0.2 √K_p D/B,
 /// d_q = d_γ = 1 + 0.1 √K_p D/B, i_c = i_q = (1 − δ/90°)², i_γ = (1 − δ/φ)² (0 beyond δ = φ).
-/// Hansen (1970): s_c = 1 + N_q/N_c B/L, s_q = 1 + tan φ B/L, s_γ = 1 − 0.4 B/L, k = D/B or atan D/B beyond 1,
-/// d_c = 1 + 0.4 k, d_q = 1 + 2 tan φ (1 − sin φ)² k, d_γ = 1; Vesić (1973): i_q = (1 − tan δ)^m, i_γ = (1 − tan δ)^{m+1}
-/// for no cohesion, m = (2 + L/B)/(1 + L/B). Lyamin et al. (2007): as the code below, validity 25° ≤ φ ≤ 45°.
-/// All recalled, not re-read.
+/// Hansen (1970): s_c = 1 + N_q/N_c B/L, s_q = 1 + tan φ B/L, s_γ = 1 − 0.4 B/L, k = D/B or atan D/B beyond
+/// 1, d_c = 1 + 0.4 k, d_q = 1 + 2 tan φ (1 − sin φ)² k, d_γ = 1; Vesić (1973): i_q = (1 − tan δ)^m, i_γ =
+/// (1 − tan δ)^{m+1} for no cohesion, m = (2 + L/B)/(1 + L/B). Lyamin et al. (2007): as the code below,
+/// validity 25° ≤ φ ≤ 45°. All recalled, not re-read.
 ///
 /// # Errors
 /// If φ or the footing is out of range, and for Lyamin outside 25° to 45°.

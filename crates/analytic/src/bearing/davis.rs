@@ -3,10 +3,11 @@
 use crate::error::{ModelResult, within};
 use std::f64::consts::FRAC_PI_2;
 
-/// Operative friction angle φ* [rad] of soil that dilates at ψ < φ: tan φ* = cos ψ cos φ tan φ / (1 − sin ψ sin φ).
+/// Operative friction angle φ* [rad] of soil that dilates at ψ < φ: tan φ* = cos ψ cos φ tan φ / (1 − sin ψ
+/// sin φ).
 ///
-/// Source: Davis (1968), in Soil Mechanics: Selected Topics (recalled, not re-read). φ* = φ for associated flow.
-/// Valid for 0 ≤ ψ ≤ φ < 90°, and for −φ ≤ ψ < 0 by the same formula.
+/// Source: Davis (1968), in Soil Mechanics: Selected Topics (recalled, not re-read). φ* = φ for associated
+/// flow. Valid for 0 ≤ ψ ≤ φ < 90°, and for −φ ≤ ψ < 0 by the same formula.
 ///
 /// # Errors
 /// If φ or ψ is out of range.

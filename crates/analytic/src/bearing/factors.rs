@@ -30,7 +30,8 @@ pub fn cohesion_factor(friction_angle: f64) -> ModelResult<f64> {
     Ok((surcharge_factor(friction_angle)? - 1.0) / friction_angle.tan())
 }
 
-/// Weight factor N_γ = (N_q − 1) tan(1.4 φ) of Meyerhof (1963) (recalled, not re-read). φ in radians, 0.1° to 55°.
+/// Weight factor N_γ = (N_q − 1) tan(1.4 φ) of Meyerhof (1963) (recalled, not re-read). φ in radians, 0.1° to
+/// 55°.
 ///
 /// # Errors
 /// If φ is out of range.
@@ -38,7 +39,8 @@ pub fn weight_factor_meyerhof(friction_angle: f64) -> ModelResult<f64> {
     Ok((surcharge_factor(friction_angle)? - 1.0) * (1.4 * friction_angle).tan())
 }
 
-/// Weight factor N_γ = 1.5 (N_q − 1) tan φ of Hansen (1970) (recalled, not re-read). φ in radians, 0.1° to 55°.
+/// Weight factor N_γ = 1.5 (N_q − 1) tan φ of Hansen (1970) (recalled, not re-read). φ in radians, 0.1° to
+/// 55°.
 ///
 /// # Errors
 /// If φ is out of range.
@@ -54,8 +56,8 @@ pub fn weight_factor_vesic(friction_angle: f64) -> ModelResult<f64> {
     Ok(2.0 * (surcharge_factor(friction_angle)? + 1.0) * friction_angle.tan())
 }
 
-/// Weight factor N_γ = (N_q − 1) tan(1.32 φ), the fit of Lyamin et al. (2007) to limit analysis (recalled, not
-/// re-read). φ in radians, 0.1° to 55°.
+/// Weight factor N_γ = (N_q − 1) tan(1.32 φ), the fit of Lyamin et al. (2007) to limit analysis (recalled,
+/// not re-read). φ in radians, 0.1° to 55°.
 ///
 /// # Errors
 /// If φ is out of range.
@@ -63,7 +65,8 @@ pub fn weight_factor_lyamin(friction_angle: f64) -> ModelResult<f64> {
     Ok((surcharge_factor(friction_angle)? - 1.0) * (1.32 * friction_angle).tan())
 }
 
-/// Exact weight factor N_γ of a smooth strip: half the self-similar coefficient of a level face, ½ K_n(α = 0, δ = 0).
+/// Exact weight factor N_γ of a smooth strip: half the self-similar coefficient of a level face, ½ K_n(α = 0,
+/// δ = 0).
 ///
 /// φ in radians, 10° to 50°. Source: Sokolovskii (1965); agrees with Martin (2005) to four digits.
 ///

@@ -24,13 +24,15 @@ const STRIP: [f64; 17] = [
     9.33275,
     9.78131,
 ];
-/// Growth of the factor of a circle with k B/s_u. Source: Houlsby & Martin (2003), N₂ of a flat base at the surface.
+/// Growth of the factor of a circle with k B/s_u. Source: Houlsby & Martin (2003), N₂ of a flat base at the
+/// surface.
 const CIRCLE: f64 = 0.5;
 
-/// What the growth k of the strength adds to N_c of a footing of the breadth over length B/L, from k B/s_u with the strength at its base.
+/// What the growth k of the strength adds to N_c of a footing of the breadth over length B/L, from k B/s_u
+/// with the strength at its base.
 ///
-/// A strip after Davis & Booker (1973), smooth: for a rough one it is on the safe side; a circle, and a square as it, after Houlsby &
-/// Martin (2003); between them in proportion to B/L (chosen).
+/// A strip after Davis & Booker (1973), smooth: for a rough one it is on the safe side; a circle, and a
+/// square as it, after Houlsby & Martin (2003); between them in proportion to B/L (chosen).
 ///
 /// # Errors
 /// Unless k B/s_u is within 0 to 8, of what is no strip within 0 to 5, and B/L within 0 to 1.

@@ -1,6 +1,7 @@
 //! Bearing capacity of a footing: factors of a strip, corrected for shape, depth and load inclination.
 //!
-//! q = c N_c s_c d_c i_c + q₀ N_q s_q d_q i_q + ½ γ B N_γ s_γ d_γ i_γ [Pa]; of undrained clay q = s_u N_c s_c d_c i_c + q₀.
+//! q = c N_c s_c d_c i_c + q₀ N_q s_q d_q i_q + ½ γ B N_γ s_γ d_γ i_γ [Pa]; of undrained clay q = s_u N_c s_c
+//! d_c i_c + q₀.
 
 mod corrections;
 mod davis;

@@ -4,9 +4,10 @@ use crate::error::{ModelResult, non_negative, positive, within};
 
 /// Ratio R of the thrust on a short slab to that in plane strain.
 ///
-/// R = 1 + (K_p−K_a)^{2/3} [1.1 E⁴ + 1.6 B/(1 + 5 b/h) + 0.4 (K_p−K_a) E³ B²/(1 + 0.05 b/h)], E = 1 − h/(z_top + h),
-/// B = 1 − (b/s)² (1 for a single slab). Source: Brinch Hansen (1966), Ovesen (1964) (recalled). `coefficient_excess` is
-/// K_p − K_a, lengths in metres, `spacing` infinite for a single slab. US pile-cap practice limits R to 2.
+/// R = 1 + (K_p−K_a)^{2/3} [1.1 E⁴ + 1.6 B/(1 + 5 b/h) + 0.4 (K_p−K_a) E³ B²/(1 + 0.05 b/h)], E = 1 −
+/// h/(z_top + h), B = 1 − (b/s)² (1 for a single slab). Source: Brinch Hansen (1966), Ovesen (1964)
+/// (recalled). `coefficient_excess` is K_p − K_a, lengths in metres, `spacing` infinite for a single slab. US
+/// pile-cap practice limits R to 2.
 ///
 /// # Errors
 /// If a length is not positive or the slabs overlap.

@@ -24,10 +24,10 @@ pub struct CuttingFactors {
 /// Factors of McKyes & Ali for friction φ, wall friction δ, rake ρ [rad] and width over depth w/d.
 ///
 /// r = d (cot ρ + cot b), s = r √(1 − (cot ρ/(cot ρ + cot b))²), D = [cot(ρ+δ) + cot(b+φ)] sin(ρ+δ);
-/// N_γ = (r/2d)(1 + 2s/3w)/D, N_q = (r/d)(1 + s/w)/D, N_c = (1 + cot b cot(b+φ))(1 + s/w)/D, where b minimises N_γ.
-/// Source: McKyes & Ali (1977), J. Terramech. 14(2), 43–51 (recalled and re-derived). In plane strain it is Coulomb's
-/// wedge and overestimates as much (9.96 against the exact 7.77 at φ = 35°, δ = ⅔φ). Valid for 10° ≤ φ ≤ 50°, 10° ≤ ρ ≤ 90°,
-/// ρ + δ + b + φ < 180°.
+/// N_γ = (r/2d)(1 + 2s/3w)/D, N_q = (r/d)(1 + s/w)/D, N_c = (1 + cot b cot(b+φ))(1 + s/w)/D, where b
+/// minimises N_γ. Source: McKyes & Ali (1977), J. Terramech. 14(2), 43–51 (recalled and re-derived). In plane
+/// strain it is Coulomb's wedge and overestimates as much (9.96 against the exact 7.77 at φ = 35°, δ = ⅔φ).
+/// Valid for 10° ≤ φ ≤ 50°, 10° ≤ ρ ≤ 90°, ρ + δ + b + φ < 180°.
 ///
 /// # Errors
 /// If no wedge exists.

@@ -1,4 +1,5 @@
-//! Soil-cutting models of blades: narrow ones in three dimensions, wide ones in saturated sand; and the tow force of a plough.
+//! Soil-cutting models of blades: narrow ones in three dimensions, wide ones in saturated sand; and the tow
+//! force of a plough.
 //!
 //! None of them covers a face that overhangs the soil (the front of a disc): their rake is at most 90°.
 

@@ -33,12 +33,12 @@ impl PloughForce {
 }
 
 impl PloughCoefficients {
-    /// Tow force F = C_w W′ + C_s γ′ D³ + C_d v D² of a plough of the weight W′ [N] in water, at the depth D [m] and speed v [m/s], in
-    /// soil of the submerged unit weight γ′ [N/m³].
+    /// Tow force F = C_w W′ + C_s γ′ D³ + C_d v D² of a plough of the weight W′ [N] in water, at the depth
+    /// D [m] and speed v [m/s], in soil of the submerged unit weight γ′ [N/m³].
     ///
-    /// Source: Palmer (1999), Géotechnique 49(3), 285–294; Cathie & Wintgens (2001), OTC 13145; Lauder et al. (2012), Can. Geotech. J.
-    /// 49(11), 1244–1255 (the form is recalled, high confidence; of the last the abstract was read). C_d holds up to the speed at which the
-    /// water cavitates.
+    /// Source: Palmer (1999), Géotechnique 49(3), 285–294; Cathie & Wintgens (2001), OTC 13145; Lauder et al.
+    /// (2012), Can. Geotech. J. 49(11), 1244–1255 (the form is recalled, high confidence; of the last the
+    /// abstract was read). C_d holds up to the speed at which the water cavitates.
     ///
     /// # Errors
     /// If a coefficient, weight, depth or speed is negative, or the unit weight is not positive.

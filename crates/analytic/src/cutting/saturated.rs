@@ -1,4 +1,5 @@
-//! A blade that cuts saturated sand: Miedema's equilibrium of the cut layer under the suction on shear plane and blade.
+//! A blade that cuts saturated sand: Miedema's equilibrium of the cut layer under the suction on shear plane
+//! and blade.
 
 use super::{Blade, CuttingForce, MeanSuction, Seepage, wall_friction};
 use crate::error::{ModelResult, undefined, within};
@@ -6,12 +7,15 @@ use crate::soil::Soil;
 use numerics::search::minimum;
 use std::f64::consts::PI;
 
-/// Length of the cut surface behind the tip through which no water flows, over the thickness of the layer. Of a worn tip; the book varies
-/// 0, 0.1 and 0.2 (recalled). With 0.1 its table of c₁ is met, with 0 the forces are 7 to 9 % smaller.
+/// Length of the cut surface behind the tip through which no water flows, over the thickness of the layer. Of
+/// a worn tip; the book varies 0, 0.1 and 0.2 (recalled). With 0.1 its table of c₁ is met, with 0 the forces
+/// are 7 to 9 % smaller.
 const WORN_TIP: f64 = 0.1;
-/// Blade angles in the range of the theory [rad]: those of its tables. Before steeper blades a wedge of sand forms.
+/// Blade angles in the range of the theory [rad]: those of its tables. Before steeper blades a wedge of sand
+/// forms.
 const BLADE_ANGLES: [f64; 2] = [15.0 * PI / 180.0, 60.0 * PI / 180.0];
-/// Shear angles among which the smallest force is looked for [rad], and what the layer keeps of a straight angle (chosen).
+/// Shear angles among which the smallest force is looked for [rad], and what the layer keeps of a straight
+/// angle (chosen).
 const SHEAR_ANGLES: [f64; 2] = [5.0 * PI / 180.0, 80.0 * PI / 180.0];
 const LEFT: f64 = 1.0 * PI / 180.0;
 /// Steps of the search for the shear angle: to 0.1°, where the force is flat.
@@ -48,10 +52,12 @@ pub struct SaturatedSand {
 impl SaturatedSand {
     /// Force on a blade that cuts a layer as thick as it is deep.
     ///
-    /// With W₁ and W₂, suction times area of shear plane and blade, and G, the weight of the layer on the blade:
-    /// K₂ = [W₁ sin φ + W₂ sin(α+β+φ) + G sin(β+φ)]/sin(α+β+δ+φ), F_H = K₂ sin(α+δ) − W₂ sin α, F_V = W₂ cos α − K₂ cos(α+δ), β that of the
-    /// smallest F_H. The mean suction on either face is at most that of cavitation. Source: Miedema (1987, 2019), The Delft Sand, Clay & Rock Cutting Model, ch. 6 (re-derived). Inertia, cohesion and the
-    /// sides of a narrow blade are left out. Valid for 15° ≤ α ≤ 60°, 1 ≤ h_b/h_i ≤ 10, no surcharge.
+    /// With W₁ and W₂, suction times area of shear plane and blade, and G, the weight of the layer on the
+    /// blade: K₂ = [W₁ sin φ + W₂ sin(α+β+φ) + G sin(β+φ)]/sin(α+β+δ+φ), F_H = K₂ sin(α+δ) − W₂ sin α, F_V =
+    /// W₂ cos α − K₂ cos(α+δ), β that of the smallest F_H. The mean suction on either face is at most that of
+    /// cavitation. Source: Miedema (1987, 2019), The Delft Sand, Clay & Rock Cutting Model, ch. 6
+    /// (re-derived). Inertia, cohesion and the sides of a narrow blade are left out. Valid for 15° ≤ α ≤ 60°,
+    /// 1 ≤ h_b/h_i ≤ 10, no surcharge.
     ///
     /// # Errors
     /// If soil or blade are out of range, or no layer slides.
@@ -84,7 +90,8 @@ impl SaturatedSand {
         })
     }
 
-    /// Mean suction [Pa] at a shear angle [rad], on each of the two faces at most that at which the water cavitates.
+    /// Mean suction [Pa] at a shear angle [rad], on each of the two faces at most that at which the water
+    /// cavitates.
     fn suction(&self, blade: &Blade, shear_angle: f64) -> ModelResult<MeanSuction> {
         let mean = self.seepage(blade, shear_angle).mean_suction()?;
         let [shear_plane, blade] =

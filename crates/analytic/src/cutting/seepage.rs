@@ -1,25 +1,28 @@
-//! Pore pressure around a blade that cuts saturated sand: steady flow of water to the shear plane, by boundary elements.
+//! Pore pressure around a blade that cuts saturated sand: steady flow of water to the shear plane, by
+//! boundary elements.
 //!
-//! Two regions meet at the shear plane A–B: the undisturbed ground and the cut layer, which slides up along the blade A–C. Lengths are
-//! over the thickness of the layer h_i, the tip of the blade is the origin, the blade moves along x.
+//! Two regions meet at the shear plane A–B: the undisturbed ground and the cut layer, which slides up along
+//! the blade A–C. Lengths are over the thickness of the layer h_i, the tip of the blade is the origin, the
+//! blade moves along x.
 
 use crate::error::{ModelResult, undefined, within};
 use numerics::elimination::solve_linear;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Elements along the shear plane, the blade and the upper face of the layer (chosen: four times as many change p₁ₘ by up to
-/// 0.5 %, p₂ₘ by up to 1.2 %, before a blade ten times as high as the layer 1.8 %).
+/// Elements along the shear plane, the blade and the upper face of the layer (chosen: four times as many
+/// change p₁ₘ by up to 0.5 %, p₂ₘ by up to 1.2 %, before a blade ten times as high as the layer 1.8 %).
 const ELEMENTS: usize = 24;
 /// Elements along the shorter faces.
 const FEW: usize = 12;
 /// Elements of the closed cut surface behind the tip.
 const AT_TIP: usize = 8;
-/// First element of a surface that extends to infinity, growth of the following ones, and where they end (chosen).
+/// First element of a surface that extends to infinity, growth of the following ones, and where they end
+/// (chosen).
 const FIRST: f64 = 0.02;
 const GROWTH: f64 = 1.25;
 const FAR: f64 = 300.0;
-/// Length of the layer beyond the top of the blade, both of its faces open to the water (chosen: one twice as long has at most
-/// 1 % more suction on the blade).
+/// Length of the layer beyond the top of the blade, both of its faces open to the water (chosen: one twice as
+/// long has at most 1 % more suction on the blade).
 const BEYOND: f64 = 3.0;
 
 /// A blade, its shear plane, and what is permeable.
@@ -33,7 +36,8 @@ pub struct Seepage {
     pub height_ratio: f64,
     /// Permeability of the undisturbed sand over that of the cut layer k_i/k_max.
     pub permeability_ratio: f64,
-    /// Length of the cut surface behind the tip through which no water flows, over h_i: a worn tip; 0 for a sharp one.
+    /// Length of the cut surface behind the tip through which no water flows, over h_i: a worn tip; 0 for a
+    /// sharp one.
     pub closed_tip: f64,
 }
 
@@ -70,9 +74,10 @@ struct Element {
 impl Seepage {
     /// The mean suction on shear plane and blade.
     ///
-    /// Laplace's equation in both regions; at the shear plane one suction, and k_i ∂p/∂n + k_max ∂p/∂n = ρ_w g ε v sin β, what flows to
-    /// it from both sides. Open: the uncut surface, the cut one behind the tip, both faces of the layer where there is no blade.
-    /// Source: Miedema (1987, 2019), The Delft Sand, Clay & Rock Cutting Model, ch. 6 and 12.3; the method is this project's.
+    /// Laplace's equation in both regions; at the shear plane one suction, and k_i ∂p/∂n + k_max ∂p/∂n = ρ_w
+    /// g ε v sin β, what flows to it from both sides. Open: the uncut surface, the cut one behind the tip,
+    /// both faces of the layer where there is no blade. Source: Miedema (1987, 2019), The Delft Sand, Clay &
+    /// Rock Cutting Model, ch. 6 and 12.3; the method is this project's.
     ///
     /// # Errors
     /// Unless 5° ≤ α ≤ 90°, 0 < β, α + β < 175°, 1 ≤ h_b/h_i ≤ 10 and both other ratios are in range.
@@ -129,7 +134,8 @@ impl Seepage {
         all
     }
 
-    /// Boundary of the cut layer: the shear plane upwards, its upper face, its end, its lower face beyond the blade, the blade.
+    /// Boundary of the cut layer: the shear plane upwards, its upper face, its end, its lower face beyond the
+    /// blade, the blade.
     fn layer(&self) -> Vec<Element> {
         let (sin, cos) = self.blade_angle.sin_cos();
         let along = |from: Point, length: f64| [from[0] - length * cos, from[1] + length * sin];
@@ -182,8 +188,8 @@ impl Seepage {
     }
 }
 
-/// The column of the unknown of every element: first those of the ground, the suction of the shear plane among them; then the flow from
-/// the ground to the shear plane; then those of the layer.
+/// The column of the unknown of every element: first those of the ground, the suction of the shear plane
+/// among them; then the flow from the ground to the shear plane; then those of the layer.
 fn columns(regions: &[Vec<Element>; 2]) -> [Vec<usize>; 2] {
     let ground: Vec<usize> = (0..regions[0].len()).collect();
     let shear = |number: usize| {
@@ -210,8 +216,8 @@ impl Element {
         [0.5 * (self.from[0] + self.to[0]), 0.5 * (self.from[1] + self.to[1])]
     }
 
-    /// Integrals over the element of the fundamental solution −ln(r/R)/2π of a source at a point, and of its derivative along the
-    /// outward normal.
+    /// Integrals over the element of the fundamental solution −ln(r/R)/2π of a source at a point, and of its
+    /// derivative along the outward normal.
     fn influence(&self, at: Point, size: f64) -> (f64, f64) {
         let (length, middle) = (self.length(), self.middle());
         let tangent = [(self.to[0] - self.from[0]) / length, (self.to[1] - self.from[1]) / length];
@@ -244,7 +250,8 @@ fn numbered(from: Point, to: Point, number: impl Fn(usize) -> usize) -> Vec<Elem
     all
 }
 
-/// Ends of the elements of a level surface from a point to infinity, in the direction of ±x; the near end first.
+/// Ends of the elements of a level surface from a point to infinity, in the direction of ±x; the near end
+/// first.
 fn outwards(from: Point, sign: f64) -> Vec<[Point; 2]> {
     let (mut all, mut reached, mut length) = (Vec::new(), 0.0, FIRST);
     while reached < FAR {

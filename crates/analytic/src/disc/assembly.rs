@@ -15,10 +15,10 @@ pub struct Assembly {
 
 /// Forces on the whole assembly [N]; angles and mechanism are those of one disc.
 ///
-/// Group rule, an assumption of this project: touching discs (s = t) act as one disc of thickness n t; discs whose gap
-/// exceeds twice the rupture distance r_f act independently; in between the forces are interpolated linearly in the gap,
-/// F = (1 − w) n F(t) + w F(n t), w = 1 − (s − t)/(2 r_f). Both limits are exact for the model; the interpolation has
-/// not been validated.
+/// Group rule, an assumption of this project: touching discs (s = t) act as one disc of thickness n t; discs
+/// whose gap exceeds twice the rupture distance r_f act independently; in between the forces are interpolated
+/// linearly in the gap, F = (1 − w) n F(t) + w F(n t), w = 1 − (s − t)/(2 r_f). Both limits are exact for the
+/// model; the interpolation has not been validated.
 ///
 /// # Errors
 /// Unless 1 ≤ n ≤ 1000 and s ≥ t, and as [`disc_forces`].

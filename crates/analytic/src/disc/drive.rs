@@ -10,8 +10,8 @@ pub enum Drive {
     Free,
     /// Locked: the rim slides with fully mobilised friction.
     Locked,
-    /// A brake or a stiff bearing resists forward rolling with this torque [N m]; it locks the disc where friction does not
-    /// overcome it.
+    /// A brake or a stiff bearing resists forward rolling with this torque [N m]; it locks the disc where
+    /// friction does not overcome it.
     Braked(f64),
     /// A motor drives it forwards with this torque [N m]; the disc spins where friction does not balance it.
     Driven(f64),

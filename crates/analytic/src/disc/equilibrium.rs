@@ -28,7 +28,8 @@ pub enum Equilibrium {
 
 /// The least sinkage at which F_V equals the weight [N].
 ///
-/// F_V of a free disc increases with sinkage; that of a locked disc levels off, so a heavy one may have no equilibrium.
+/// F_V of a free disc increases with sinkage; that of a locked disc levels off, so a heavy one may have no
+/// equilibrium.
 ///
 /// # Errors
 /// If an input is out of range or the model has no result at any sinkage.
@@ -37,9 +38,11 @@ pub fn equilibrium(model: Model, setting: &Setting<'_>, weight: f64) -> ModelRes
     equilibrium_of(&setting.disc, weight, vertical, |z| disc_forces(model, setting, z))
 }
 
-/// [`equilibrium`] of anything whose forces are known as a function of sinkage [m], such as an assembly of discs.
+/// [`equilibrium`] of anything whose forces are known as a function of sinkage [m], such as an assembly of
+/// discs.
 ///
-/// `vertical` gives the vertical force [N] alone and is evaluated often; `forces` is evaluated once, at the result.
+/// `vertical` gives the vertical force [N] alone and is evaluated often; `forces` is evaluated once, at the
+/// result.
 ///
 /// # Errors
 /// If the weight [N] is not positive, or `vertical` has no value at a tenth of the diameter.
@@ -65,7 +68,8 @@ pub fn equilibrium_of(
 
 /// Checks that a vertical force [N] equals the weight [N] to the relative `tolerance`.
 ///
-/// Under a brake or a motor a disc may jump from sliding to rolling as it sinks, and its vertical force past the weight.
+/// Under a brake or a motor a disc may jump from sliding to rolling as it sinks, and its vertical force past
+/// the weight.
 ///
 /// # Errors
 /// If the two differ by more.
@@ -82,11 +86,13 @@ pub(crate) fn check_weight_carried(weight: f64, vertical: f64, tolerance: f64) -
 
 /// The least sinkage [m] at which `vertical` reaches `weight` [N].
 ///
-/// `vertical` returns NaN where the model has no result; the search skips such sinkages. `precision` is relative to the
-/// diameter (for other bodies, to the height); one finer than the smoothness of `vertical` slows the search down.
+/// `vertical` returns NaN where the model has no result; the search skips such sinkages. `precision` is
+/// relative to the diameter (for other bodies, to the height); one finer than the smoothness of `vertical`
+/// slows the search down.
 ///
 /// # Errors
-/// The largest vertical force [N] and its sinkage [m], if no sinkage up to [`MAX_RELATIVE_SINKAGE`] carries the weight.
+/// The largest vertical force [N] and its sinkage [m], if no sinkage up to [`MAX_RELATIVE_SINKAGE`] carries
+/// the weight.
 pub fn equilibrium_depth(
     diameter: f64,
     weight: f64,

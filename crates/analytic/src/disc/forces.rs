@@ -22,9 +22,10 @@ pub enum Model {
     PlaneStrain,
     /// The governing mechanism at every point of the rim: the lower of the pressures of BC and PW.
     ///
-    /// Near the surface the soil mostly fails forwards, deeper under a thin disc sideways. The pointwise minimum is
-    /// justified by the exact field of PW, which develops from the free surface: the pressure at a point does not depend on
-    /// what happens deeper. The forces never exceed those of either model and are continuous in all parameters.
+    /// Near the surface the soil mostly fails forwards, deeper under a thin disc sideways. The pointwise
+    /// minimum is justified by the exact field of PW, which develops from the free surface: the pressure at a
+    /// point does not depend on what happens deeper. The forces never exceed those of either model and are
+    /// continuous in all parameters.
     #[default]
     Governing,
 }
@@ -54,7 +55,8 @@ pub struct Setting<'a> {
     pub disc: Disc,
     /// How the axle is driven.
     pub drive: Drive,
-    /// Fraction χ of the displaced soil that stands as a bow wave before the disc, 0 to 1 (see [`bow_wave_height`]).
+    /// Fraction χ of the displaced soil that stands as a bow wave before the disc, 0 to 1 (see
+    /// [`bow_wave_height`]).
     pub bow_wave_fraction: f64,
     /// Slope β of the ground before the disc [rad], rising forwards; used by the wedge only.
     pub backfill: f64,
@@ -65,7 +67,8 @@ pub struct Setting<'a> {
 }
 
 impl Setting<'_> {
-    /// A disc on level ground without a bow wave, with Meyerhof's factors and the passive field solved for each face.
+    /// A disc on level ground without a bow wave, with Meyerhof's factors and the passive field solved for
+    /// each face.
     #[must_use]
     pub fn new(soil: Soil, disc: Disc, drive: Drive) -> Self {
         let (method, passive) = (Method::default(), Passive::default());
@@ -104,9 +107,9 @@ pub struct DiscForces {
 
 /// Forces on the disc at sinkage z [m].
 ///
-/// F_H = H + μ_m V, F_V = V − μ_m H, with V and H the resultants of the normal pressure and μ_m the mobilised friction: 0 for
-/// a free disc, μ for a locked one, M/(R P_n) under an axle torque M (at most μ, where the disc slides), and at a given
-/// slip the balance of the two friction zones. μ is never more than tan φ.
+/// F_H = H + μ_m V, F_V = V − μ_m H, with V and H the resultants of the normal pressure and μ_m the mobilised
+/// friction: 0 for a free disc, μ for a locked one, M/(R P_n) under an axle torque M (at most μ, where the
+/// disc slides), and at a given slip the balance of the two friction zones. μ is never more than tan φ.
 /// Source: derived for this project; models BC ([`bearing_arc`]) and PW ([`wedge`]).
 ///
 /// # Errors

@@ -35,8 +35,8 @@ impl Disc {
         Ok(())
     }
 
-    /// The contact arc at sinkage z [m], 0 < z ≤ 0.95 d, with a bow wave of height `bow_wave` [m] at the leading contact
-    /// point.
+    /// The contact arc at sinkage z [m], 0 < z ≤ 0.95 d, with a bow wave of height `bow_wave` [m] at the
+    /// leading contact point.
     ///
     /// # Errors
     /// If a dimension is not positive, or sinkage and bow wave together exceed that depth.

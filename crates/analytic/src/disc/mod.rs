@@ -1,7 +1,7 @@
 //! A disc towed through soil: free to sink under its weight; free to rotate, braked, locked or driven.
 //!
-//! θ is measured about the axle from the lowest point forwards; the soil is in contact with the rim for 0 ≤ θ ≤ θ_f. Drag
-//! F_H is positive when it resists the tow, F_V when the soil pushes the disc up.
+//! θ is measured about the axle from the lowest point forwards; the soil is in contact with the rim for 0 ≤
+//! θ ≤ θ_f. Drag F_H is positive when it resists the tow, F_V when the soil pushes the disc up.
 
 mod assembly;
 mod bearing_arc;

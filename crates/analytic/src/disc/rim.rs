@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 
 /// Normal pressure on the contact arc: σ(θ) = base + by_depth · h(θ) + along_chord · r(θ) [Pa].
 ///
-/// h = R(cos θ − cos θ_f) is the depth below the leading contact, r = R[sin α − sin(θ − α)] the distance from it along
-/// the chord.
+/// h = R(cos θ − cos θ_f) is the depth below the leading contact, r = R[sin α − sin(θ − α)] the distance from
+/// it along the chord.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RimPressure {
     /// Uniform pressure [Pa].
@@ -85,7 +85,8 @@ impl From<RimPressure> for RimLoad {
 impl RimLoad {
     /// The lower envelope of two line loads σ · width [N/m]: the lower one at every point of the arc.
     ///
-    /// The lower of two pressures along the rim. Their difference is a single sinusoid of θ, so they cross at most twice, at angles known in closed form.
+    /// The lower of two pressures along the rim. Their difference is a single sinusoid of θ, so they cross at
+    /// most twice, at angles known in closed form.
     #[must_use]
     pub fn lower_envelope(first: RimPressure, second: RimPressure) -> Self {
         let end = first.angle;
@@ -153,7 +154,8 @@ impl RimLoad {
 }
 
 impl Segment {
-    /// Calls `add` with the normal force of every quadrature point between two angles and the sine and cosine of θ.
+    /// Calls `add` with the normal force of every quadrature point between two angles and the sine and cosine
+    /// of θ.
     fn forces(&self, from: f64, to: f64, mut add: impl FnMut(f64, f64, f64)) {
         if to <= from {
             return;
@@ -168,7 +170,8 @@ impl Segment {
     }
 }
 
-/// Angles [rad] at which two line loads on the same arc cross, in ascending order; 0 where there is no crossing.
+/// Angles [rad] at which two line loads on the same arc cross, in ascending order; 0 where there is no
+/// crossing.
 fn crossings(one: &RimPressure, other: &RimPressure) -> [f64; 2] {
     let end = one.angle;
     let (sin, cos) = (0.5 * end).sin_cos();

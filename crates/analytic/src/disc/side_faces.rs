@@ -17,13 +17,16 @@ pub struct SideFaces {
     pub torque: f64,
 }
 
-/// Friction on the embedded segments of both faces at sinkage z [m] and rate ratio ωr/v (1 free rolling, 0 locked).
+/// Friction on the embedded segments of both faces at sinkage z [m] and rate ratio ωr/v (1 free rolling, 0
+/// locked).
 ///
-/// F = −2 μ K_s γ ∬ h v/|v| dA, v = (V + ω y, −ω x), h the depth, K_s the ratio of lateral to vertical stress (0.5
-/// without better knowledge). Source: derived for this project. Negligible compared with the rim forces unless t < 0.05 d.
+/// F = −2 μ K_s γ ∬ h v/|v| dA, v = (V + ω y, −ω x), h the depth, K_s the ratio of lateral to vertical stress
+/// (0.5 without better knowledge). Source: derived for this project. Negligible compared with the rim forces
+/// unless t < 0.05 d.
 ///
 /// # Errors
-/// If the disc, the sinkage (0 < z ≤ 0.95 d), the stress ratio (0 to 5) or the rate ratio (−1 to 4) is out of range.
+/// If the disc, the sinkage (0 < z ≤ 0.95 d), the stress ratio (0 to 5) or the rate ratio (−1 to 4) is out of
+/// range.
 pub fn side_faces(
     soil: &Soil,
     disc: &Disc,

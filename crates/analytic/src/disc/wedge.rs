@@ -51,8 +51,8 @@ pub struct WedgeFace<'a> {
 
 /// End factor S of a wedge of width t [m] and rupture distance r_f [m]: 1 + (2/3) r_f / t.
 ///
-/// Side crescents by Pappus' theorem, as in McKyes & Ali (1977), with the rupture distance of the curved field. It
-/// diverges for a thin body, where the soil fails sideways instead (model BC).
+/// Side crescents by Pappus' theorem, as in McKyes & Ali (1977), with the rupture distance of the curved
+/// field. It diverges for a thin body, where the soil fails sideways instead (model BC).
 #[must_use]
 pub fn end_factor(rupture_distance: f64, width: f64) -> f64 {
     1.0 + 2.0 / 3.0 * rupture_distance / width
@@ -60,14 +60,15 @@ pub fn end_factor(rupture_distance: f64, width: f64) -> f64 {
 
 /// Pressure on the rim from the exact passive thrust on its chord, applied radially on the arc.
 ///
-/// σ = S (γ K_n r + c K_c), K_n(φ, δ, α, β) exact (see [`sokolovskii`]), δ = −atan μ_m but not below 0, S = 1 + (2/3) r_f/t
-/// or 1 in plane strain. Without friction: F_V = γ R² K_n (sin²α cos α + α sin α) S t, F_H = γ R² K_n (sin α + sin³α − α cos α) S t.
-/// Source: derived for this project from the nomenclature of the source paper; K_c = (K_q − 1) cot φ after Caquot, on
-/// level ground (superposed, on the safe side). Backward failure into the rut is neglected.
-/// A wall friction angle δ < 0, soil that is dragged along by the face, does not go with this mechanism. Soil that fails
-/// forwards rises; its velocity normal to the chord is that of the disc, so along the chord it is faster, by v_z/sin α where it
-/// rises at v_z, even than the chord of a locked disc. It cannot be dragged, and a wedge before a sliding disc is taken as smooth.
-/// Valid for 10° ≤ φ ≤ 50°, |μ_m| ≤ tan φ, and where the field exists (not where the ground falls before a steep chord).
+/// σ = S (γ K_n r + c K_c), K_n(φ, δ, α, β) exact (see [`sokolovskii`]), δ = −atan μ_m but not below 0, S =
+/// 1 + (2/3) r_f/t or 1 in plane strain. Without friction: F_V = γ R² K_n (sin²α cos α + α sin α) S t, F_H =
+/// γ R² K_n (sin α + sin³α − α cos α) S t. Source: derived for this project from the nomenclature of the
+/// source paper; K_c = (K_q − 1) cot φ after Caquot, on level ground (superposed, on the safe side). Backward
+/// failure into the rut is neglected. A wall friction angle δ < 0, soil that is dragged along by the face,
+/// does not go with this mechanism. Soil that fails forwards rises; its velocity normal to the chord is that
+/// of the disc, so along the chord it is faster, by v_z/sin α where it rises at v_z, even than the chord of a
+/// locked disc. It cannot be dragged, and a wedge before a sliding disc is taken as smooth. Valid for 10° ≤
+/// φ ≤ 50°, |μ_m| ≤ tan φ, and where the field exists (not where the ground falls before a steep chord).
 ///
 /// # Errors
 /// If the field does not exist or the soil is out of range.

@@ -4,14 +4,16 @@ use super::Face;
 use crate::error::{ModelResult, finite, undefined};
 use std::f64::consts::PI;
 
-/// Coulomb's total passive coefficient K_p, for the thrust P = ½ γ H² K_p [N/m] at δ to the normal of the face.
+/// Coulomb's total passive coefficient K_p, for the thrust P = ½ γ H² K_p [N/m] at δ to the normal of the
+/// face.
 ///
 /// With a = 180° − α: K_p = sin²(a−φ) / {sin²a sin(a+δ) [1 − √(sin(φ+δ) sin(φ+β) / (sin(a+δ) sin(a+β)))]²}.
 /// Source: Coulomb (1776), in the form of Müller-Breslau (1906) (recalled, not re-read).
 ///
-/// **Domain of existence.** A plane wedge exists only while the square root stays below 1; on level ground that is
-/// α > φ + δ. The overhanging face of a shallow disc (α = 13° to 39° at 5 % to 40 % sinkage) lies outside this domain, and
-/// near its limit the coefficient is 3 to 10 times too large. For δ > 0 the plane wedge is unsafe well within the domain.
+/// **Domain of existence.** A plane wedge exists only while the square root stays below 1; on level ground
+/// that is α > φ + δ. The overhanging face of a shallow disc (α = 13° to 39° at 5 % to 40 % sinkage) lies
+/// outside this domain, and near its limit the coefficient is 3 to 10 times too large. For δ > 0 the plane
+/// wedge is unsafe well within the domain.
 ///
 /// # Errors
 /// If no plane wedge exists or the angles are not physical.
@@ -37,7 +39,8 @@ pub fn coulomb(face: &Face) -> ModelResult<f64> {
     Ok(coulomb_total(face)? * face.wall_friction.cos() * face.surface.sin().powi(2))
 }
 
-/// Coulomb's total active coefficient of an upright wall under level ground, for the thrust at δ to its normal.
+/// Coulomb's total active coefficient of an upright wall under level ground, for the thrust at δ to its
+/// normal.
 ///
 /// K_a = cos²φ / {cos δ [1 + √(sin(φ+δ) sin φ / cos δ)]²}, angles in radians. Source: as [`coulomb_total`].
 ///

@@ -25,13 +25,14 @@ fn rotation_coefficient(face: &Face) -> ModelResult<f64> {
     finite("the EN 1997-1 coefficient", ratio * (2.0 * fan * phi.tan()).exp())
 }
 
-/// EN 1997-1 Annex C's normal passive coefficient of soil weight, K_γ = K_n cos β cos(β − θ), with θ = α − 90°.
+/// EN 1997-1 Annex C's normal passive coefficient of soil weight, K_γ = K_n cos β cos(β − θ), with θ = α −
+/// 90°.
 ///
 /// 2m_t = arccos(−sin β₀ / sin φ) − φ − β₀, 2m_w = arccos(sin δ / sin φ) − φ − δ, v = m_t + β − m_w − θ,
-/// K_n = (1 + sin φ sin(2m_w + φ)) / (1 − sin φ sin(2m_t + φ)) · e^{2 v tan φ}, with β₀ = β for a vertical load.
-/// Source: EN 1997-1:2004, Annex C.2 (recalled, not re-read; its level-ground case equals Lancellotta's).
-/// The weight enters as overburden at the depth of each point: an underestimate, by a third and more for an overhanging
-/// face.
+/// K_n = (1 + sin φ sin(2m_w + φ)) / (1 − sin φ sin(2m_t + φ)) · e^{2 v tan φ}, with β₀ = β for a vertical
+/// load. Source: EN 1997-1:2004, Annex C.2 (recalled, not re-read; its level-ground case equals
+/// Lancellotta's). The weight enters as overburden at the depth of each point: an underestimate, by a third
+/// and more for an overhanging face.
 ///
 /// # Errors
 /// If the angle of the fan would be negative or the angles are not physical.

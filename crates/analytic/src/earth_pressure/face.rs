@@ -40,7 +40,8 @@ impl Face {
         Ok(())
     }
 
-    /// Δ with sin Δ = sin δ / sin φ [rad]: the rotation of the principal stress at the face. For a checked face only.
+    /// Δ with sin Δ = sin δ / sin φ [rad]: the rotation of the principal stress at the face. For a checked
+    /// face only.
     pub(crate) fn mobilisation(&self) -> f64 {
         (self.wall_friction.sin() / self.friction_angle.sin()).clamp(-1.0, 1.0).asin()
     }

@@ -9,11 +9,11 @@ type Vector = (f64, f64);
 
 /// Upper bound on K_n from one block that rotates on a log-spiral slip surface from the toe to the ground.
 ///
-/// r = r_A e^{ω tan φ}; the reactions on such a spiral act at φ to its normal, hence through its pole, so the moments
-/// about the pole give the thrust (at two thirds of the face from its top edge) from the weight alone. The bound is the
-/// minimum over the exit point and the swept angle; a plane slip surface is the limit of zero sweep.
-/// Source: Rendulic (1935), Terzaghi (1943), as a kinematic bound Chen (1975) (recalled, not re-read).
-/// Valid for 5° ≤ φ ≤ 55°, |δ| ≤ φ, 10° ≤ α ≤ 90°, β ≤ α − 5°.
+/// r = r_A e^{ω tan φ}; the reactions on such a spiral act at φ to its normal, hence through its pole, so the
+/// moments about the pole give the thrust (at two thirds of the face from its top edge) from the weight
+/// alone. The bound is the minimum over the exit point and the swept angle; a plane slip surface is the limit
+/// of zero sweep. Source: Rendulic (1935), Terzaghi (1943), as a kinematic bound Chen (1975) (recalled, not
+/// re-read). Valid for 5° ≤ φ ≤ 55°, |δ| ≤ φ, 10° ≤ α ≤ 90°, β ≤ α − 5°.
 ///
 /// # Errors
 /// Outside that range, or if the angles are not physical.
@@ -27,8 +27,8 @@ pub fn log_spiral(face: &Face) -> ModelResult<f64> {
         return undefined("the log-spiral bound", "it needs 5° ≤ φ ≤ 55°, α ≥ 10° and β ≤ α − 5°");
     }
     let block = Block::of(face);
-    // ln of the exit distance in face lengths; then the swept angle [rad]. With a negative sweep (pole below the ground)
-    // the far end would move down, and the thrust at a fixed point would be no bound.
+    // ln of the exit distance in face lengths; then the swept angle [rad]. With a negative sweep (pole below
+    // the ground) the far end would move down, and the thrust at a fixed point would be no bound.
     let least = |exit: f64| scanned_minimum(0.0, 0.12, 26, |sweep| block.thrust(exit.exp(), sweep));
     match scanned_minimum(-1.5, 0.125, 40, least) {
         k if k.is_finite() => Ok(k),
@@ -67,7 +67,8 @@ impl Block {
         }
     }
 
-    /// K_n for the block that exits the ground at the distance `exit` after a sweep of `sweep` [rad] about its pole.
+    /// K_n for the block that exits the ground at the distance `exit` after a sweep of `sweep` [rad] about
+    /// its pole.
     fn thrust(&self, exit: f64, sweep: f64) -> f64 {
         // At zero sweep the pole is at infinity; this small sweep changes the thrust by less than 1e-5.
         let sweep = sweep.max(3e-3);

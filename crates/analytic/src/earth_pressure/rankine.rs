@@ -7,8 +7,8 @@ use std::f64::consts::FRAC_PI_2;
 /// Rankine's normal passive coefficient K_n of a vertical face, thrust parallel to the ground.
 ///
 /// K_p = cos β (cos β + √(cos²β − cos²φ)) / (cos β − √(cos²β − cos²φ)), K_n = K_p cos β.
-/// Source: Rankine (1857), as in any soil mechanics text (recalled, not re-read). For β = 0 it is tan²(45° + φ/2).
-/// Valid for a vertical face, |β| ≤ φ; without wall friction: δ is not used.
+/// Source: Rankine (1857), as in any soil mechanics text (recalled, not re-read). For β = 0 it is tan²(45° +
+/// φ/2). Valid for a vertical face, |β| ≤ φ; without wall friction: δ is not used.
 ///
 /// # Errors
 /// If the face is not vertical or the angles are not physical.

@@ -10,27 +10,29 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 pub struct PassiveField {
     /// Normal passive coefficient K_n: P_n = ½ γ L² K_n.
     pub coefficient: f64,
-    /// Rupture distance over face length, r_f / L: from the top edge to where the slip surface reaches the ground surface.
+    /// Rupture distance over face length, r_f / L: from the top edge to where the slip surface reaches the
+    /// ground surface.
     pub rupture_ratio: f64,
 }
 
-/// The exact passive coefficient of cohesionless soil with weight, by shooting in the self-similar stress field.
+/// The exact passive coefficient of cohesionless soil with weight, by shooting in the self-similar stress
+/// field.
 ///
-/// In polar coordinates about the top edge (χ from the horizontal, downwards) the mean stress is γ r s(χ) and σ₁ makes
-/// the angle ψ(χ) with the radius. With k = sin φ, equilibrium and Mohr–Coulomb give
-/// dχ/dτ = cos 2ψ − k, ds/dτ = cos(χ+2ψ) + s sin 2ψ,
-/// dψ/dτ = −[k sin(χ+2ψ) − sin χ + s(1 + 2k cos 2ψ − 3k²)] / (2 k s).
-/// From the face (χ = π − α, ψ = −π/2 + ½(δ+Δ), s unknown) every solution ends on the ray where cos 2ψ = k; s is the
-/// smallest value for which that ray is the edge of the Rankine zone below the ground surface.
-/// Source: Sokolovskii (1965), Statics of Granular Media; shooting scheme derived for this project. It reproduces
-/// the N_γ of a smooth strip of Martin (2005) at α = δ = 0.
+/// In polar coordinates about the top edge (χ from the horizontal, downwards) the mean stress is γ r s(χ) and
+/// σ₁ makes the angle ψ(χ) with the radius. With k = sin φ, equilibrium and Mohr–Coulomb give dχ/dτ = cos
+/// 2ψ − k, ds/dτ = cos(χ+2ψ) + s sin 2ψ, dψ/dτ = −[k sin(χ+2ψ) − sin χ + s(1 + 2k cos 2ψ − 3k²)] / (2 k s).
+/// From the face (χ = π − α, ψ = −π/2 + ½(δ+Δ), s unknown) every solution ends on the ray where cos 2ψ = k; s
+/// is the smallest value for which that ray is the edge of the Rankine zone below the ground surface. Source:
+/// Sokolovskii (1965), Statics of Granular Media; shooting scheme derived for this project. It reproduces the
+/// N_γ of a smooth strip of Martin (2005) at α = δ = 0.
 ///
 /// Valid for 10° ≤ φ ≤ 50°, −⅔φ ≤ δ ≤ φ, 0 ≤ α ≤ 90°, −10° ≤ β ≤ 25° and |β| < φ. Closer to φ = 0 or δ = −φ
-/// a spurious branch appears, so these are out of range. That the field extends into the soil at rest is not proved.
+/// a spurious branch appears, so these are out of range. That the field extends into the soil at rest is not
+/// proved.
 ///
 /// # Errors
-/// Outside that range, and where the angle of the fan would be negative (δ < 0 on a steep face: the field would need a
-/// discontinuity).
+/// Outside that range, and where the angle of the fan would be negative (δ < 0 on a steep face: the field
+/// would need a discontinuity).
 pub fn sokolovskii(face: &Face) -> ModelResult<PassiveField> {
     check(face)?;
     let field = Field::of(face);
@@ -141,7 +143,8 @@ impl Field {
         None
     }
 
-    /// Integrates from the face with mean stress `stress` and the error `tolerance` per step to the ray cos 2ψ = k.
+    /// Integrates from the face with mean stress `stress` and the error `tolerance` per step to the ray cos
+    /// 2ψ = k.
     fn shoot(&self, stress: f64, tolerance: f64) -> EndPoint {
         let mut y = [self.face_angle, stress.ln(), self.face_psi, 0.0];
         let mut step = 0.02;
@@ -160,7 +163,8 @@ impl Field {
                 return EndPoint { angle: f64::NAN, log_reach: f64::NAN };
             }
         }
-        // The node is degenerate (double eigenvalue −2 cos φ); the remaining distance follows from the linearised equations.
+        // The node is degenerate (double eigenvalue −2 cos φ); the remaining distance follows from the
+        // linearised equations.
         let (slack, excess) = self.distance(&y);
         let rest = 0.5 * slack - self.phi.cos() * excess / (4.0 * self.k);
         EndPoint { angle: y[0] + rest, log_reach: y[3] + rest / (2.0 * self.node).tan() }
@@ -195,7 +199,8 @@ impl Field {
     }
 }
 
-/// One step of the fifth-order method of Dormand & Prince (1980); the error is the largest of the first three components.
+/// One step of the fifth-order method of Dormand & Prince (1980); the error is the largest of the first three
+/// components.
 fn runge_kutta(y: &[f64; 4], h: f64, f: impl Fn(&[f64; 4]) -> [f64; 4]) -> ([f64; 4], f64) {
     const ROWS: [&[f64]; 6] = [
         &[1.0 / 5.0],

@@ -19,7 +19,8 @@ pub struct TableRange {
 
 const NODES: (usize, usize, usize) = (9, 7, 9);
 
-/// Chebyshev interpolant of ln K_n and ln(r_f/L) over (φ, δ/φ, α); relative error below 1e-4 for 25° ≤ φ ≤ 45°,
+/// Chebyshev interpolant of ln K_n and ln(r_f/L) over (φ, δ/φ, α); relative error below 1e-4 for 25° ≤ φ ≤
+/// 45°,
 /// |δ| ≤ ½φ.
 #[derive(Clone, Debug)]
 pub struct PressureTable {
@@ -32,7 +33,8 @@ impl PressureTable {
     /// Solves the field at every node of the range; half a second for the largest range.
     ///
     /// # Errors
-    /// If the field does not exist at some node: choose a smaller range (δ < 0 needs faces that are not too steep).
+    /// If the field does not exist at some node: choose a smaller range (δ < 0 needs faces that are not too
+    /// steep).
     pub fn new(range: TableRange) -> ModelResult<Self> {
         let count = |(low, high): (f64, f64), n: usize| if high > low { n } else { 1 };
         let nodes = [

@@ -13,8 +13,9 @@ pub struct Collapse {
 
 /// Collapse of a cylindrical column of radius r₀ [m] and height h₀ [m], a = h₀/r₀.
 ///
-/// Run-out/r₀ = 1.24 a (a < 1.7), 1.6 √a beyond; h∞ = h₀ (a < 1), 0.88 r₀ a^{1/6} (a > 1.7; the smaller of the two
-/// in between). Source: Lube, Huppert, Sparks & Hallworth (2004), J. Fluid Mech. 508 (recalled). Any dry sand, a ≤ 10.
+/// Run-out/r₀ = 1.24 a (a < 1.7), 1.6 √a beyond; h∞ = h₀ (a < 1), 0.88 r₀ a^{1/6} (a > 1.7; the smaller of
+/// the two in between). Source: Lube, Huppert, Sparks & Hallworth (2004), J. Fluid Mech. 508 (recalled). Any
+/// dry sand, a ≤ 10.
 ///
 /// # Errors
 /// Unless both lengths are positive and a ≤ 10.
@@ -28,8 +29,9 @@ pub fn axisymmetric_collapse(radius: f64, height: f64) -> ModelResult<Collapse> 
 
 /// Collapse of a plane column of width d₀ [m] and height h₀ [m] released on one side, a = h₀/d₀.
 ///
-/// Run-out/d₀ = 1.2 a (a < 1.8), 1.9 a^{2/3} (a > 2.8; the smaller of the two in between); h∞ = h₀ (a < 1.15),
-/// 0.65 d₀ a^{2/5} beyond. Source: Lube, Huppert, Sparks & Freundt (2005), Phys. Rev. E 72 (recalled). a ≤ 20.
+/// Run-out/d₀ = 1.2 a (a < 1.8), 1.9 a^{2/3} (a > 2.8; the smaller of the two in between); h∞ = h₀ (a <
+/// 1.15), 0.65 d₀ a^{2/5} beyond. Source: Lube, Huppert, Sparks & Freundt (2005), Phys. Rev. E 72 (recalled).
+/// a ≤ 20.
 ///
 /// # Errors
 /// Unless both lengths are positive and a ≤ 20.

@@ -1,9 +1,10 @@
-//! The smooth strip footing on undrained soil whose strength grows with depth, by the method of characteristics.
+//! The smooth strip footing on undrained soil whose strength grows with depth, by the method of
+//! characteristics.
 //!
-//! Along the α lines, at ψ − π/4 to the x axis, dp = 2 s dψ − k dx, along the β lines, at ψ + π/4, dp = −2 s dψ + k dx: ψ is the angle of
-//! the major principal stress to x, p the mean stress in the plane, s = s_u0 + k z (Davis & Booker 1973, who solved these equations so). The
-//! free surface is the passive zone with ψ = 0 and p = s, the edge of the footing a fan up to ψ = π/2, and below the footing
-//! ψ = π/2 and q = p + s_u0.
+//! Along the α lines, at ψ − π/4 to the x axis, dp = 2 s dψ − k dx, along the β lines, at ψ + π/4, dp = −2 s
+//! dψ + k dx: ψ is the angle of the major principal stress to x, p the mean stress in the plane, s = s_u0 + k
+//! z (Davis & Booker 1973, who solved these equations so). The free surface is the passive zone with ψ = 0
+//! and p = s, the edge of the footing a fan up to ψ = π/2, and below the footing ψ = π/2 and q = p + s_u0.
 
 use crate::error::{ModelError, ModelResult, within};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -17,14 +18,17 @@ struct Node {
     angle: f64,
 }
 
-/// α lines in the passive zone, and β lines in the fan. With half of either the factors differ by less than 1e-4 up to k B/s_u0 = 8.
+/// α lines in the passive zone, and β lines in the fan. With half of either the factors differ by less than
+/// 1e-4 up to k B/s_u0 = 8.
 const LINES: [usize; 2] = [200, 60];
 /// Corrections of a node with the means along its two lines.
 const CORRECTIONS: usize = 6;
 
-/// Mean pressure under a smooth strip of width B over the strength at the surface s_u0, from k B/s_u0: 2 + π for k = 0.
+/// Mean pressure under a smooth strip of width B over the strength at the surface s_u0, from k B/s_u0: 2 + π
+/// for k = 0.
 ///
-/// Source: Davis & Booker (1973), Géotechnique 23, 551–563 (their equations, solved here; the figures of the paper were not read).
+/// Source: Davis & Booker (1973), Géotechnique 23, 551–563 (their equations, solved here; the figures of the
+/// paper were not read).
 ///
 /// # Errors
 /// If the ratio is negative or above 8, where the net is too coarse.

@@ -11,8 +11,8 @@ pub fn fall_distance(gravity: f64, time: f64) -> ModelResult<f64> {
     Ok(0.5 * non_negative("gravity [m/s^2]", gravity)? * non_negative("time [s]", time)?.powi(2))
 }
 
-/// Sliding distance from rest after t [s] down a slope of angle θ [rad] with friction μ: ½ g (sin θ − μ cos θ) t² [m], or 0
-/// where friction holds the body.
+/// Sliding distance from rest after t [s] down a slope of angle θ [rad] with friction μ: ½ g (sin θ − μ cos
+/// θ) t² [m], or 0 where friction holds the body.
 ///
 /// # Errors
 /// Unless 0 ≤ θ ≤ 90° and g, μ, t are not negative.

@@ -9,7 +9,8 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 /// The limit of resistive force theory in depth.
 const TOO_DEEP: &str = "deeper than one and a half thicknesses: resistive force theory has no width term";
-/// Sinkage over width beyond which side crescents do not form (chosen: about the critical depth of narrow tines).
+/// Sinkage over width beyond which side crescents do not form (chosen: about the critical depth of narrow
+/// tines).
 const MAX_SLENDERNESS: f64 = 5.0;
 /// Largest overhang at which the soil is known to slide up along the front [rad] (chosen).
 const MAX_OVERHANG: f64 = FRAC_PI_6;
@@ -17,7 +18,8 @@ const MAX_OVERHANG: f64 = FRAC_PI_6;
 const MAX_PLANE_EXCESS: f64 = 1.15;
 /// Height of the front's lower edge over the sinkage up to which the face below it is neglected (chosen).
 const MAX_BELOW_FRONT: f64 = 0.2;
-/// Sinkage over breadth up to which a body that is pressed down is shallow (chosen: the depth to which Skempton's factor grows).
+/// Sinkage over breadth up to which a body that is pressed down is shallow (chosen: the depth to which
+/// Skempton's factor grows).
 const MAX_PRESSED_DEPTH: f64 = 2.5;
 /// Drag of resistive force theory over that of PW up to which it is accepted (chosen).
 const MAX_RESISTIVE_EXCESS: f64 = 2.0;

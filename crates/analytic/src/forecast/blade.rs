@@ -19,9 +19,10 @@ type Force = (f64, f64);
 
 /// The prediction of a blade model for a block.
 ///
-/// At a prescribed sinkage it is the force on the front alone, as in the models. A block that is free to sink also rests
-/// on its base: a footing at the depth of the sinkage under a load inclined by the friction angle of the base. It sinks
-/// until front and base carry the weight, and the load on the base adds its friction to the drag.
+/// At a prescribed sinkage it is the force on the front alone, as in the models. A block that is free to sink
+/// also rests on its base: a footing at the depth of the sinkage under a load inclined by the friction angle
+/// of the base. It sinks until front and base carry the weight, and the load on the base adds its friction to
+/// the drag.
 ///
 /// # Errors
 /// If the model cannot be applied to the block, its input is out of range, or no sinkage carries the weight.
@@ -74,10 +75,11 @@ fn equilibrium_sinkage(
     }
 }
 
-/// Bearing capacity [N] of the sliding base of an upright block at a sinkage [m]; 0 for a rotated block, whose lower edge
-/// is sharp, and for one without soil under it.
+/// Bearing capacity [N] of the sliding base of an upright block at a sinkage [m]; 0 for a rotated block,
+/// whose lower edge is sharp, and for one without soil under it.
 ///
-/// q = ½ γ B N_γ* + c N_c* + γ z N_q*, N* = N s d i, with the load inclined by the friction angle of the base.
+/// q = ½ γ B N_γ* + c N_c* + γ z N_q*, N* = N s d i, with the load inclined by the friction angle of the
+/// base.
 ///
 /// # Errors
 /// If the friction angle is outside the range of the factors.
@@ -207,7 +209,8 @@ enum Ends {
     Hansen,
 }
 
-/// The exact field before the front: P_n = (½ γ L² K_n + c L K_c) w S with the friction force P_n tan δ along the front.
+/// The exact field before the front: P_n = (½ γ L² K_n + c L K_c) w S with the friction force P_n tan δ along
+/// the front.
 ///
 /// Before an upright or overhanging front the soil slides upwards, so friction acts upwards on the block.
 fn exact<'a>(

@@ -8,7 +8,8 @@ use std::sync::Arc;
 
 /// Deepest sinkage of a plate in the range of the models that look for one, over its shorter side (chosen).
 const DEEPEST_PLATE: f64 = 10.0;
-/// Deepest sinkage of a plate or a pipe over its shorter side (chosen: what is deeper is a pile, or is held by deep soil).
+/// Deepest sinkage of a plate or a pipe over its shorter side (chosen: what is deeper is a pile, or is held
+/// by deep soil).
 const DEEPEST: f64 = 20.0;
 
 /// The body.
@@ -197,7 +198,8 @@ impl Body {
         }
     }
 
-    /// Height of its bounding box [m]; of a plate, whose own height does not matter, ten times its shorter side.
+    /// Height of its bounding box [m]; of a plate, whose own height does not matter, ten times its shorter
+    /// side.
     #[must_use]
     pub fn height(&self) -> f64 {
         match self {
@@ -221,7 +223,8 @@ impl Body {
         }
     }
 
-    /// Shorter side of its plan [m], which limits how deep it is when it is pressed down; in plane strain its length along x.
+    /// Shorter side of its plan [m], which limits how deep it is when it is pressed down; in plane strain its
+    /// length along x.
     #[must_use]
     pub fn breadth(&self) -> f64 {
         match self {
@@ -297,7 +300,8 @@ impl Block {
         self.size[0] * sin.abs() + self.size[2] * cos.abs()
     }
 
-    /// The four faces parallel to y: outward normal, distance from the origin [m] and length in the x–z plane [m].
+    /// The four faces parallel to y: outward normal, distance from the origin [m] and length in the x–z
+    /// plane [m].
     fn faces(&self) -> [([f64; 3], f64, f64); 4] {
         let (sin, cos) = self.orientation.sin_cos();
         let [long, _, high] = self.size;
@@ -333,7 +337,8 @@ impl Block {
         }
     }
 
-    /// The faces parallel to y as facets; resistive force theory assigns no force to faces that move in their own plane.
+    /// The faces parallel to y as facets; resistive force theory assigns no force to faces that move in their
+    /// own plane.
     #[must_use]
     pub fn facets(&self) -> [Facet; 4] {
         self.faces().map(|(normal, distance, length)| Facet {
@@ -345,8 +350,9 @@ impl Block {
     }
 }
 
-/// Reference force γ t d² [N] of a body of the reference width t and length d [m] in soil of the unit weight γ [N/m³], over which
-/// forces and weights are dimensionless, whatever the shape and the soil; `None` for weightless soil.
+/// Reference force γ t d² [N] of a body of the reference width t and length d [m] in soil of the unit weight
+/// γ [N/m³], over which forces and weights are dimensionless, whatever the shape and the soil; `None` for
+/// weightless soil.
 #[must_use]
 pub fn reference_force(unit_weight: f64, width: f64, length: f64) -> Option<f64> {
     let force = unit_weight * width * length * length;

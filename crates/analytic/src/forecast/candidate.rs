@@ -91,8 +91,8 @@ impl Candidate {
         }
     }
 
-    /// Whether it is a plasticity solution, to be evaluated at the recommended [`super::Strength`]; the others are fits to
-    /// measurements.
+    /// Whether it is a plasticity solution, to be evaluated at the recommended [`super::Strength`]; the
+    /// others are fits to measurements.
     #[must_use]
     pub fn is_plastic(self) -> bool {
         matches!(
@@ -107,11 +107,12 @@ impl Candidate {
         )
     }
 
-    /// Standard deviation of ln(resistance of the soil over that of the model): its own error, apart from that of the input.
+    /// Standard deviation of ln(resistance of the soil over that of the model): its own error, apart from
+    /// that of the input.
     ///
-    /// Chosen beforehand, from the errors that the pages of the models state: a third to a half for discs, plates in sand and fits,
-    /// a quarter for blades with ends, three tenths for uplift (the scatter of tests about the vertical slip model), and what the solver
-    /// leaves for plane strain and clay.
+    /// Chosen beforehand, from the errors that the pages of the models state: a third to a half for discs,
+    /// plates in sand and fits, a quarter for blades with ends, three tenths for uplift (the scatter of tests
+    /// about the vertical slip model), and what the solver leaves for plane strain and clay.
     #[must_use]
     pub fn log_error(self, towing: &Towing) -> f64 {
         match self {

@@ -14,8 +14,8 @@ pub struct CurvePoint {
 
 /// The predictions of `candidates` (all, if empty) for each of `values` of `parameter`, in its SI unit.
 ///
-/// For [`Parameter::Sinkage`] this is the force–sinkage curve. As in [`super::forecast`], plasticity models use the recommended
-/// strength. Where a value is out of range for a model, its entry gives the reason.
+/// For [`Parameter::Sinkage`] this is the force–sinkage curve. As in [`super::forecast`], plasticity models
+/// use the recommended strength. Where a value is out of range for a model, its entry gives the reason.
 ///
 /// # Errors
 /// If Davis' angle does not exist for a value (angles out of range).

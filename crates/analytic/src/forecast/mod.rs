@@ -39,7 +39,8 @@ pub struct Forecast {
     pub models: Vec<ModelForecast>,
     /// The friction angle of the plasticity models in `models`.
     pub strength: Strength,
-    /// All models, the plasticity models at the other strength; empty for associated flow, where nothing differs.
+    /// All models, the plasticity models at the other strength; empty for associated flow, where nothing
+    /// differs.
     pub models_other_strength: Vec<ModelForecast>,
     /// Davis' operative friction angle [rad].
     pub operative_friction_angle: f64,
@@ -56,7 +57,8 @@ pub struct Forecast {
 /// Evaluates every model for `towing`.
 ///
 /// # Errors
-/// If the case is out of range of all models. Where a single model does not apply, its entry gives the reason.
+/// If the case is out of range of all models. Where a single model does not apply, its entry gives the
+/// reason.
 pub fn forecast(towing: &Towing) -> ModelResult<Forecast> {
     towing.check()?;
     let strength = Strength::recommended(towing);
@@ -86,10 +88,12 @@ pub fn forecast(towing: &Towing) -> ModelResult<Forecast> {
     })
 }
 
-/// Some models, judged at this very case: a prediction outside the limits of its model is marked, as in [`forecast`].
+/// Some models, judged at this very case: a prediction outside the limits of its model is marked, as
+/// in [`forecast`].
 ///
 /// # Errors
-/// If the case is out of range of all models. Where a single model does not apply, its entry gives the reason.
+/// If the case is out of range of all models. Where a single model does not apply, its entry gives the
+/// reason.
 pub fn judge(towing: &Towing, candidates: &[Candidate]) -> ModelResult<Vec<ModelForecast>> {
     towing.check()?;
     let needed: Vec<Candidate> =
@@ -99,7 +103,8 @@ pub fn judge(towing: &Towing, candidates: &[Candidate]) -> ModelResult<Vec<Model
     Ok(models)
 }
 
-/// The model recommended at this very case, or else the first that applies there without being recommended; `None` where none applies.
+/// The model recommended at this very case, or else the first that applies there without being recommended;
+/// `None` where none applies.
 ///
 /// # Errors
 /// If the case is out of range of all models.
@@ -112,7 +117,8 @@ pub fn best_at(towing: &Towing) -> ModelResult<Option<Candidate>> {
     Ok(None)
 }
 
-/// Models: those of plasticity for `plastic`, the empirical ones, fitted to measured friction angles, for `measured`.
+/// Models: those of plasticity for `plastic`, the empirical ones, fitted to measured friction angles, for
+/// `measured`.
 fn evaluate(candidates: &[Candidate], plastic: &Towing, measured: &Towing) -> Vec<ModelForecast> {
     let table = predict::level_table(plastic);
     let one = |candidate: &Candidate| {

@@ -11,10 +11,12 @@ use crate::error::{ModelResult, undefined};
 /// Why only resistive force theory applies to a body such as a sphere.
 const NOT_PLANE: &str = "it is for a plane front or that of a disc across the tow";
 
-/// The prediction of one model at the soil's friction angle as given; `table` speeds up the wedge within its range.
+/// The prediction of one model at the soil's friction angle as given; `table` speeds up the wedge within its
+/// range.
 ///
-/// With a resistance factor f all forces are f times those of the model: a weight W sinks to where the model carries W/f. With a thrust
-/// factor g the thrust of a driven body is g times that as well, at most what the soil can shear, W tan φ + c A.
+/// With a resistance factor f all forces are f times those of the model: a weight W sinks to where the model
+/// carries W/f. With a thrust factor g the thrust of a driven body is g times that as well, at most what the
+/// soil can shear, W tan φ + c A.
 ///
 /// # Errors
 /// If the model cannot be applied to the case or has no solution.
@@ -45,8 +47,9 @@ pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>)
     })
 }
 
-/// The largest thrust [N] that the soil under a wheel can give: V tan φ + c A, in clay s_u A, with A the contact (of a disc; without
-/// cohesion it does not matter). Source: the maximum soil thrust of Bekker (1956).
+/// The largest thrust [N] that the soil under a wheel can give: V tan φ + c A, in clay s_u A, with A the
+/// contact (of a disc; without cohesion it does not matter). Source: the maximum soil thrust of Bekker
+/// (1956).
 pub(super) fn greatest_thrust(towing: &Towing, found: &Prediction, vertical: f64) -> f64 {
     let soil = &towing.soil;
     let contact = found.sinkage.unwrap_or(0.0).max(0.0) * towing.body.length();
@@ -114,8 +117,8 @@ fn suits_growth(model: Candidate, towing: &Towing) -> bool {
     }
 }
 
-/// A table of the smooth wedge for the friction angle of `towing`; only a driven disc, or one at a given slip, needs wall
-/// friction as well, and nothing that is pressed down or stands in clay needs any.
+/// A table of the smooth wedge for the friction angle of `towing`; only a driven disc, or one at a given
+/// slip, needs wall friction as well, and nothing that is pressed down or stands in clay needs any.
 pub(super) fn level_table(towing: &Towing) -> Option<PressureTable> {
     if towing.pressed || towing.soil.is_undrained() || towing.body.disc().is_none() {
         return None;
@@ -168,7 +171,8 @@ fn disc(
 
 fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
     Prediction {
-        // The friction of the soil is the torque of the axle over the radius, and negative where it is driven.
+        // The friction of the soil is the torque of the axle over the radius, and negative where it is
+        // driven.
         thrust: (-forces.friction).max(0.0),
         contact_angle: Some(forces.contact_angle),
         force_inclination: forces.force_inclination,

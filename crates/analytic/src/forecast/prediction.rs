@@ -9,7 +9,8 @@ use crate::error::{ModelError, ModelResult};
 pub struct Prediction {
     /// Drag F_H [N]: resistance less [`Prediction::thrust`].
     pub drag: f64,
-    /// Thrust of a driven body [N]: the torque of the soil about its axle over the radius on which it rolls; 0 where nothing drives it.
+    /// Thrust of a driven body [N]: the torque of the soil about its axle over the radius on which it rolls;
+    /// 0 where nothing drives it.
     pub thrust: f64,
     /// Vertical force F_V [N].
     pub vertical: f64,

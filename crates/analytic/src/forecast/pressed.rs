@@ -14,7 +14,8 @@ use crate::resistive::{Facet, Motion, PlanarLaw, SpatialLaw, Traction, rim_facet
 
 /// Width over breadth that stands for an infinite strip.
 const STRIP: f64 = 1e9;
-/// Friction of the base over tan φ from which it counts as rough (chosen: a rough base needs no more than about half of it).
+/// Friction of the base over tan φ from which it counts as rough (chosen: a rough base needs no more than
+/// about half of it).
 const ROUGH: f64 = 0.5;
 
 /// The prediction of one model: the vertical force at a sinkage, or the sinkage under a load.
@@ -129,10 +130,11 @@ fn capacity(towing: &Towing, plate: &Plate, z: f64) -> ModelResult<f64> {
     Ok((grown.unwrap_or(base) + pressure.by_depth * z) * plate.area())
 }
 
-/// Pressure [Pa] without the overburden under a base on clay whose strength grows with depth; `None` where it does not.
+/// Pressure [Pa] without the overburden under a base on clay whose strength grows with depth; `None` where it
+/// does not.
 ///
-/// s_u [N_c s_c (1 + 0.2 D/B s̄/s_u) + ΔN], with the strength s_u at the base and s̄ the mean above it, which the depth factor is about (as
-/// ISO 19901-4 has it), and ΔN of [`growth_of_factor`].
+/// s_u [N_c s_c (1 + 0.2 D/B s̄/s_u) + ΔN], with the strength s_u at the base and s̄ the mean above it, which
+/// the depth factor is about (as ISO 19901-4 has it), and ΔN of [`growth_of_factor`].
 fn growing_base(towing: &Towing, plate: &Plate, z: f64, length: f64) -> ModelResult<Option<f64>> {
     let soil = &towing.soil;
     if !soil.is_undrained() || soil.strength_gradient == 0.0 {
@@ -166,8 +168,9 @@ fn pipe(towing: &Towing) -> ModelResult<Force<'_>> {
 
 /// What a base that is not rough, and in clay a round one, does to the pressure at the surface.
 ///
-/// In sand the smooth strip's N_γ over the rough one's, both exact, with the friction of the base in between; without effect on
-/// the cohesion term, which is nearly independent of it. In clay N_c of a circle over that of a square.
+/// In sand the smooth strip's N_γ over the rough one's, both exact, with the friction of the base in between;
+/// without effect on the cohesion term, which is nearly independent of it. In clay N_c of a circle over that
+/// of a square.
 fn base_ratio(towing: &Towing, plate: &Plate) -> ModelResult<f64> {
     let soil = &towing.soil;
     if soil.is_undrained() {

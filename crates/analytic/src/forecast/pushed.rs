@@ -10,7 +10,8 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Diameter of a shaft over that of the cone from which the soil rubs on it (chosen).
 const FULL_SHAFT: f64 = 0.95;
-/// The sharpest cone that pushes a wedge of soil like a flat end [rad] (chosen: the wedge has half of 45° − φ/2 to 45°).
+/// The sharpest cone that pushes a wedge of soil like a flat end [rad] (chosen: the wedge has half of 45° −
+/// φ/2 to 45°).
 const SHARPEST: f64 = 50.0 * PI / 180.0;
 
 /// Force [N] on a cone or a pile at a sinkage [m], and the pressure on its end over its full section [Pa].
@@ -55,7 +56,8 @@ fn cone_force(towing: &Towing, cone: &Penetrometer, z: f64) -> ModelResult<f64> 
     Ok(FRAC_PI_4 * diameter * diameter * pressure)
 }
 
-/// Pressure [Pa] on a cone in clay: the lesser of that of a shallow and of a deep one, and the weight of the soil beside it.
+/// Pressure [Pa] on a cone in clay: the lesser of that of a shallow and of a deep one, and the weight of the
+/// soil beside it.
 fn clay_pressure(
     towing: &Towing,
     cone: &Penetrometer,

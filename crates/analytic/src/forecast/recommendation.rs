@@ -13,12 +13,14 @@ pub fn best(towing: &Towing, models: &[ModelForecast]) -> Option<Candidate> {
     order(towing).iter().copied().find(|candidate| is_applicable(*candidate))
 }
 
-/// The recommended model for the body: the best one, unless it is known to be far off for bodies of this kind.
+/// The recommended model for the body: the best one, unless it is known to be far off for bodies of this
+/// kind.
 pub(super) fn recommended(towing: &Towing, models: &[ModelForecast]) -> Option<Candidate> {
     best(towing, models).filter(|best| failure(towing, *best).is_none())
 }
 
-/// Why the best model is not recommended: what it was beside measurements or the solver for bodies of this kind.
+/// Why the best model is not recommended: what it was beside measurements or the solver for bodies of this
+/// kind.
 fn failure(towing: &Towing, best: Candidate) -> Option<&'static str> {
     let Body::Faceted(body) = &towing.body else { return None };
     if towing.pressed || best != Candidate::SpatialResistive {
@@ -68,7 +70,8 @@ fn is_loose(soil: &Soil) -> bool {
     soil.cohesion == 0.0 && soil.dilation_angle <= 0.0
 }
 
-/// The recommendation for the case, with the reasons and the caveats; `others` are the models at the other friction angle.
+/// The recommendation for the case, with the reasons and the caveats; `others` are the models at the other
+/// friction angle.
 pub(super) fn recommend(towing: &Towing, models: &[ModelForecast], others: &[ModelForecast]) -> String {
     let best = best(towing, models);
     let found = models.iter().find(|model| Some(model.model) == best).and_then(|model| model.prediction);
@@ -154,7 +157,8 @@ fn for_pressed(towing: &Towing, best: Candidate, found: &Prediction) -> String {
     text.to_owned() + at_surface
 }
 
-/// The recommendation for a disc; `sideways` is the fraction of the thrust under which the soil fails sideways.
+/// The recommendation for a disc; `sideways` is the fraction of the thrust under which the soil fails
+/// sideways.
 fn for_disc(towing: &Towing, sideways: f64) -> String {
     let thickness = towing.body.width() / towing.body.length();
     let (percent, rest) = (100.0 * sideways, 100.0 * (1.0 - sideways));
@@ -243,8 +247,8 @@ fn conditions_of_block(towing: &Towing, block: &Block) -> String {
     text
 }
 
-/// The caveat where the governing mechanism of a disc is that of BC only because PW has no solution (where the ground falls
-/// before a steep chord).
+/// The caveat where the governing mechanism of a disc is that of BC only because PW has no solution (where
+/// the ground falls before a steep chord).
 pub(super) fn bearing_only_note(towing: &Towing, models: &[ModelForecast]) -> Option<String> {
     let found = |candidate: Candidate| models.iter().find(|m| m.model == candidate);
     let is_predicted = found(Candidate::Governing).is_some_and(|m| m.prediction.is_some());
@@ -253,7 +257,8 @@ pub(super) fn bearing_only_note(towing: &Towing, models: &[ModelForecast]) -> Op
         .then(|| format!("Only BC has a solution here: PW has none ({}).", wedge.note))
 }
 
-/// Which friction angle the plasticity models use in soil with ψ < φ, and why; `has_other` where the values at the other one are shown.
+/// Which friction angle the plasticity models use in soil with ψ < φ, and why; `has_other` where the values
+/// at the other one are shown.
 fn strength_warning(towing: &Towing, has_other: bool) -> Option<String> {
     let [used, other] = match (&towing.body, Strength::recommended(towing)) {
         (Body::Faceted(_) | Body::Cone(_), _) => return None,

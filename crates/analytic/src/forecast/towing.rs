@@ -24,7 +24,8 @@ pub struct Towing {
     pub soil: Soil,
     /// The body.
     pub body: Body,
-    /// Reference length d and width t [m] of the dimensionless groups; `None` for [`Body::length`] and [`Body::width`].
+    /// Reference length d and width t [m] of the dimensionless groups; `None` for [`Body::length`] and
+    /// [`Body::width`].
     pub reference: Option<[f64; 2]>,
     /// Weight (of the whole assembly) or sinkage.
     pub load: Load,
@@ -32,11 +33,13 @@ pub struct Towing {
     pub drive: Drive,
     /// Whether it is pressed straight down, without a tow and without turning; a [`super::Plate`] always is.
     pub pressed: bool,
-    /// Whether it is pulled straight up, from where it lies buried; it then counts as pressed, with an upward motion.
+    /// Whether it is pulled straight up, from where it lies buried; it then counts as pressed, with an upward
+    /// motion.
     pub raised: bool,
     /// Resistance of the soil over that of the models: their own error, 1 for their predictions.
     pub resistance_factor: f64,
-    /// Thrust of a driven body over that of the models at the same resistance of the soil: the error of the one is not that of the other.
+    /// Thrust of a driven body over that of the models at the same resistance of the soil: the error of the
+    /// one is not that of the other.
     pub thrust_factor: f64,
     /// Gravity [m/s²]; converts weights to masses only.
     pub gravity: f64,
@@ -112,7 +115,8 @@ pub enum Parameter {
 }
 
 impl Towing {
-    /// A single towed body (a plate: pressed down) on level ground under Earth's gravity, without measured plate constants or cone index.
+    /// A single towed body (a plate: pressed down) on level ground under Earth's gravity, without measured
+    /// plate constants or cone index.
     #[must_use]
     pub fn new(soil: Soil, body: impl Into<Body>, load: Load, drive: Drive) -> Self {
         let body = body.into();
@@ -173,7 +177,8 @@ impl Towing {
         self.reference.unwrap_or_else(|| [self.body.length(), self.body.width()])
     }
 
-    /// The force over which forces and weights are dimensionless [N]: γ t d² of each body; `None` for weightless soil.
+    /// The force over which forces and weights are dimensionless [N]: γ t d² of each body; `None` for
+    /// weightless soil.
     #[must_use]
     pub fn force_scale(&self) -> Option<f64> {
         let [d, t] = self.reference_lengths();

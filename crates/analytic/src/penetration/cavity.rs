@@ -26,13 +26,15 @@ const TERMS: usize = 400;
 /// Largest logarithm of the ratio of stresses that is searched.
 const MOST: f64 = 25.0;
 
-/// Limit pressure [Pa] of a spherical cavity in soil under the mean stress p₀ [Pa], with large strains, friction and dilation.
+/// Limit pressure [Pa] of a spherical cavity in soil under the mean stress p₀ [Pa], with large strains,
+/// friction and dilation.
 ///
-/// Source: Yu & Houlsby (1991), Géotechnique 41(2), 173–183: Λ₁(R, ξ) = (η/γ)(1 − δ)^{(β+2)/β} for a/a₀ → ∞. A numerical solution of the
-/// self-similar problem agrees within 0.3 %.
+/// Source: Yu & Houlsby (1991), Géotechnique 41(2), 173–183: Λ₁(R, ξ) = (η/γ)(1 − δ)^{(β+2)/β} for a/a₀ → ∞.
+/// A numerical solution of the self-similar problem agrees within 0.3 %.
 ///
 /// # Errors
-/// Unless φ > 0, the other inputs are in range, and the soil is stiff enough to fail before it has halved its volume.
+/// Unless φ > 0, the other inputs are in range, and the soil is stiff enough to fail before it has halved its
+/// volume.
 pub fn limit_pressure(soil: &Soil, stiffness: &Stiffness, mean_stress: f64) -> ModelResult<f64> {
     let phi = within("friction angle [rad]", soil.friction_angle, 0.1_f64.to_radians(), 50_f64.to_radians())?;
     let psi = within("dilation angle [rad]", soil.dilation_angle, -phi, phi)?;
@@ -98,8 +100,9 @@ mod tests {
         }
     }
 
-    /// The expansion of the cavity solved along the similarity variable r/b: equilibrium and yield give the stresses of the plastic zone, the flow rule
-    /// with Hooke's law in rates the velocity, and the cavity is where the soil moves with its wall (Collins, Pender & Wang 1992).
+    /// The expansion of the cavity solved along the similarity variable r/b: equilibrium and yield give the
+    /// stresses of the plastic zone, the flow rule with Hooke's law in rates the velocity, and the cavity is
+    /// where the soil moves with its wall (Collins, Pender & Wang 1992).
     fn integrated(soil: &Soil, stiffness: &Stiffness, p: f64) -> f64 {
         let (phi, psi) = (soil.friction_angle, soil.dilation_angle);
         let flow = |angle: f64| (1.0 + angle.sin()) / (1.0 - angle.sin());

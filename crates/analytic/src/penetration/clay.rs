@@ -5,8 +5,9 @@ use std::f64::consts::PI;
 
 /// Factor N of a cone deep in clay, q = N s_u + σ_v0: 3.4 + 1.6 ln I_r − 1.9 Δ + 1.3 α.
 ///
-/// I_r = G/s_u is the rigidity index, Δ = (σ_v0 − σ_h0)/(2 s_u) the shear at rest, −1 to 1, α the roughness of the cone, 0 to 1. A cone of
-/// 60°. Source: Lu, Hu, Randolph & Bugarski (2004), Géotechnique 54(4), 257–267, large-strain finite elements with I_r of 50 to 500.
+/// I_r = G/s_u is the rigidity index, Δ = (σ_v0 − σ_h0)/(2 s_u) the shear at rest, −1 to 1, α the roughness
+/// of the cone, 0 to 1. A cone of 60°. Source: Lu, Hu, Randolph & Bugarski (2004), Géotechnique 54(4),
+/// 257–267, large-strain finite elements with I_r of 50 to 500.
 ///
 /// # Errors
 /// Unless 20 ≤ I_r ≤ 2000 and the others are in range.
@@ -17,12 +18,12 @@ pub fn deep_cone_factor(rigidity: f64, shear_at_rest: f64, roughness: f64) -> Mo
     Ok(3.4 + 1.6 * rigidity.ln() - 1.9 * delta + 1.3 * alpha)
 }
 
-/// Factor N of a cone of the apex angle β [rad] whose shoulder lies `depth` diameters below the ground: V/(A s_u0), s_u0 the strength at the
-/// shoulder, without the weight of the soil; `growth` is k D/s_u0.
+/// Factor N of a cone of the apex angle β [rad] whose shoulder lies `depth` diameters below the ground: V/(A
+/// s_u0), s_u0 the strength at the shoulder, without the weight of the soil; `growth` is k D/s_u0.
 ///
-/// Source: Houlsby & Martin (2003), Géotechnique 53(5), 513–520, their fit to lower bounds for β of 60° to 180°, depths to 2.5 D and
-/// growths to 5; the formula is as a published leg penetration analysis has it. At the surface a smooth flat base has the exact 5.69; a
-/// rough one is 5 % above the exact 6.05.
+/// Source: Houlsby & Martin (2003), Géotechnique 53(5), 513–520, their fit to lower bounds for β of 60° to
+/// 180°, depths to 2.5 D and growths to 5; the formula is as a published leg penetration analysis has it. At
+/// the surface a smooth flat base has the exact 5.69; a rough one is 5 % above the exact 6.05.
 ///
 /// # Errors
 /// If the angle is not within 30° to 180°, or another input out of range.
@@ -46,7 +47,8 @@ mod tests {
 
     #[test]
     fn deep_cones_have_ten_to_eleven_times_the_strength() {
-        // Weightless clay, smooth, I_r = 100; Teh & Houlsby (1991): (1.67 + I_r/1500)(1 + ln I_r) + 2.4 α − 1.8 Δ.
+        // Weightless clay, smooth, I_r = 100; Teh & Houlsby (1991): (1.67 + I_r/1500)(1 + ln I_r) + 2.4 α −
+        // 1.8 Δ.
         assert!((10.0..11.0).contains(&deep_cone_factor(100.0, 0.0, 0.0).unwrap()));
         for (rigidity, delta, alpha) in
             [(50.0, 0.0, 0.0), (100.0, 0.5, 0.5), (300.0, 0.0, 1.0), (500.0, -0.5, 0.5)]

@@ -1,4 +1,5 @@
-//! Cones and piles that are pushed into the ground: the pressure on their end, and the friction on their shaft.
+//! Cones and piles that are pushed into the ground: the pressure on their end, and the friction on their
+//! shaft.
 
 mod cavity;
 mod clay;

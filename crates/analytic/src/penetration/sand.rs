@@ -7,16 +7,16 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Pressure on the end over the limit pressure of a spherical cavity: e^{(π/2 − φ) tan φ}/(1 − sin φ).
 ///
-/// Under the end a wedge of soil at 45° + φ/2 moves with it, and a fan turns the pressure of the cavity into that on the wedge. Source:
-/// Vesić (1977), NCHRP Synthesis 42; without the fan, Yasufuku & Hyde (1995).
+/// Under the end a wedge of soil at 45° + φ/2 moves with it, and a fan turns the pressure of the cavity into
+/// that on the wedge. Source: Vesić (1977), NCHRP Synthesis 42; without the fan, Yasufuku & Hyde (1995).
 #[must_use]
 pub fn end_factor(friction_angle: f64) -> f64 {
     let phi = friction_angle;
     ((FRAC_PI_2 - phi) * phi.tan()).exp() / (1.0 - phi.sin())
 }
 
-/// Pressure [Pa] on the end at a depth [m]: q + c cot φ = (p_lim + c cot φ) e^{(π/2 − φ) tan φ}/(1 − sin φ), with the limit pressure p_lim
-/// under the mean stress at rest γ z (1 + 2 K₀)/3.
+/// Pressure [Pa] on the end at a depth [m]: q + c cot φ = (p_lim + c cot φ) e^{(π/2 − φ) tan φ}/(1 − sin φ),
+/// with the limit pressure p_lim under the mean stress at rest γ z (1 + 2 K₀)/3.
 ///
 /// # Errors
 /// As [`limit_pressure`].
@@ -36,8 +36,8 @@ const GAUSS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_095),
 ];
 
-/// Friction [N] on a shaft of the diameter [m] between two depths [m], whose end lies at the second: τ = 0.03 q (h/d)^−½ tan δ, with the end
-/// pressure q at that depth and the height h above the end, at least 2 d.
+/// Friction [N] on a shaft of the diameter [m] between two depths [m], whose end lies at the second: τ = 0.03
+/// q (h/d)^−½ tan δ, with the end pressure q at that depth and the height h above the end, at least 2 d.
 ///
 /// Source: Lehane, Schneider & Xu (2005), the UWA-05 method, for closed ends, without the part of dilation.
 ///
@@ -68,7 +68,8 @@ mod tests {
 
     #[test]
     fn end_bearing_is_that_of_vesic() {
-        // Vesić's N_q = 3/(3 − sin φ) e^{(π/2 − φ) tan φ} tan²(45° + φ/2) I_rr^{4 sin φ/(3 (1 + sin φ))} in incompressible soil.
+        // Vesić's N_q = 3/(3 − sin φ) e^{(π/2 − φ) tan φ} tan²(45° + φ/2) I_rr^{4 sin φ/(3 (1 + sin φ))} in
+        // incompressible soil.
         let phi = 35_f64.to_radians();
         let soil = Soil {
             friction_angle: phi,

@@ -19,8 +19,8 @@ pub struct Facet {
 }
 
 impl Facet {
-    /// Mean over the area of the depth below ground [m], 0 above it, for the centroid at `depth` [m]; exact for a rectangle
-    /// with a horizontal edge.
+    /// Mean over the area of the depth below ground [m], 0 above it, for the centroid at `depth` [m]; exact
+    /// for a rectangle with a horizontal edge.
     fn mean_depth(&self, depth: f64) -> f64 {
         if depth >= self.half_height {
             depth
@@ -31,7 +31,8 @@ impl Facet {
         }
     }
 
-    /// Projection of the facet for a 2-D law applied in slices along the tow: area and normal in the x–z plane.
+    /// Projection of the facet for a 2-D law applied in slices along the tow: area and normal in the x–z
+    /// plane.
     #[must_use]
     pub fn sliced(&self) -> Self {
         let [x, _, z] = self.normal;
@@ -91,8 +92,8 @@ pub fn wrench(law: &impl Traction, facets: &[Facet], motion: &Motion) -> Wrench 
 
 /// Facets of a disc's rim between the angles `from` and `to` [rad] from its lowest point, axle along y.
 ///
-/// They are placed at Gauss points, so that few are needed. The flat faces of a disc move in their own plane, where the
-/// theory gives no traction.
+/// They are placed at Gauss points, so that few are needed. The flat faces of a disc move in their own plane,
+/// where the theory gives no traction.
 #[must_use]
 pub fn rim_facets(disc: &Disc, from: f64, to: f64) -> Vec<Facet> {
     let radius = 0.5 * disc.diameter;

@@ -1,8 +1,10 @@
-//! Resistive force theory (RFT): the soil exerts a traction on every surface element, independently of the others.
+//! Resistive force theory (RFT): the soil exerts a traction on every surface element, independently of the
+//! others.
 //!
-//! The traction is proportional to depth and otherwise depends on the inclination of the element and its direction of
-//! motion only. There is no width term: compared with model BC, forces on shallow wide bodies are too low and on deep narrow
-//! ones too high. For quasi-static motion in dry, loose to medium sand, at depths up to about the width of the body.
+//! The traction is proportional to depth and otherwise depends on the inclination of the element and its
+//! direction of motion only. There is no width term: compared with model BC, forces on shallow wide bodies
+//! are too low and on deep narrow ones too high. For quasi-static motion in dry, loose to medium sand, at
+//! depths up to about the width of the body.
 
 mod body;
 mod planar;
@@ -16,7 +18,8 @@ pub use towed::{Axle, Faceted, SteadyTow, at_depth, body_at_depth, body_under_we
 
 /// A law for the traction on a surface element.
 pub trait Traction {
-    /// Traction on the body [Pa] at a depth [m], for the outward unit normal and the unit direction of motion.
+    /// Traction on the body [Pa] at a depth [m], for the outward unit normal and the unit direction of
+    /// motion.
     ///
     /// x is the tow direction, z points up. Zero where the element moves away from the soil.
     fn traction(&self, depth: f64, normal: [f64; 3], direction: [f64; 3]) -> [f64; 3];

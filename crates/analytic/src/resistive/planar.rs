@@ -25,8 +25,8 @@ impl PlanarLaw {
         Ok(Self { stiffness: positive("plate stiffness [N/m^3]", stiffness)? })
     }
 
-    /// Generic (dimensionless) traction (α_x against the motion, α_z upwards) for inclination β and direction γ [rad] of an
-    /// element that moves forwards (β > 0: the lower edge trails, as at the front of a wheel).
+    /// Generic (dimensionless) traction (α_x against the motion, α_z upwards) for inclination β and direction
+    /// γ [rad] of an element that moves forwards (β > 0: the lower edge trails, as at the front of a wheel).
     #[must_use]
     pub fn generic(beta: f64, gamma: f64) -> (f64, f64) {
         let double = 2.0 * beta;

@@ -21,11 +21,11 @@ const COEFFICIENTS: [[f64; 20]; 3] = [
 
 /// Three-dimensional resistive force theory.
 ///
-/// α = f₁ ñ + f₂ v − f₃ z with x₁ = −v_z, x₂ = −ñ_z, x₃ = ñ·v, ñ the normal or its opposite, whichever points down, and
-/// cubic polynomials f_i;
-/// traction = ξ_n α |z|, its tangential component at most μ times the normal one.
-/// Source: Agarwal, Goldman & Kamrin (2023), PNAS 120, arXiv 2205.14920; coefficients read in KKKobefeng/3D-RFT. That the
-/// published angles β, γ, ψ reduce to these three products is our interpretation. Valid for tan φ up to 0.8, quasi-static.
+/// α = f₁ ñ + f₂ v − f₃ z with x₁ = −v_z, x₂ = −ñ_z, x₃ = ñ·v, ñ the normal or its opposite, whichever points
+/// down, and cubic polynomials f_i; traction = ξ_n α |z|, its tangential component at most μ times the normal
+/// one. Source: Agarwal, Goldman & Kamrin (2023), PNAS 120, arXiv 2205.14920; coefficients read in
+/// KKKobefeng/3D-RFT. That the published angles β, γ, ψ reduce to these three products is our interpretation.
+/// Valid for tan φ up to 0.8, quasi-static.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialLaw {
     /// Stiffness ξ_n [N/m³].
@@ -34,7 +34,8 @@ pub struct SpatialLaw {
     pub friction: f64,
 }
 
-/// Stiffness over unit weight ξ_n/(ρ g) = 894 μ³ − 386 μ² + 89 μ, μ = tan φ. Source: Agarwal et al. (2023), a cubic fit.
+/// Stiffness over unit weight ξ_n/(ρ g) = 894 μ³ − 386 μ² + 89 μ, μ = tan φ. Source: Agarwal et al. (2023), a
+/// cubic fit.
 ///
 /// φ in radians; the fit covers tan φ up to about 0.8 and is not extrapolated beyond 0.85.
 ///
@@ -46,7 +47,8 @@ pub fn stiffness_per_unit_weight(friction_angle: f64) -> ModelResult<f64> {
 }
 
 impl SpatialLaw {
-    /// The law for soil of friction angle φ [rad] and unit weight γ [N/m³] on a surface with the friction coefficient μ.
+    /// The law for soil of friction angle φ [rad] and unit weight γ [N/m³] on a surface with the friction
+    /// coefficient μ.
     ///
     /// # Errors
     /// If φ is beyond the fit of [`stiffness_per_unit_weight`], γ ≤ 0 or μ is not in 0 to 2.

@@ -5,8 +5,8 @@ use crate::disc::{Disc, Drive, check_weight_carried, equilibrium_depth};
 use crate::error::{ModelResult, positive, undefined, within};
 use numerics::search::root;
 
-/// Slip up to which a body that nothing drives is looked for (chosen): one that is towed along its axle balances its torque at any slip, and
-/// at 1 it would stand still.
+/// Slip up to which a body that nothing drives is looked for (chosen): one that is towed along its axle
+/// balances its torque at any slip, and at 1 it would stand still.
 const FREE: f64 = 0.75;
 
 /// The axle of a body, through its origin.
@@ -25,7 +25,8 @@ impl Axle {
         Self { direction: [0.0, 1.0, 0.0], radius }
     }
 
-    /// Component along the tow of the level unit vector across the axle, in which the body rolls; 0 for a vertical axle.
+    /// Component along the tow of the level unit vector across the axle, in which the body rolls; 0 for a
+    /// vertical axle.
     fn rolls_along(&self) -> f64 {
         let [x, y, _] = self.direction;
         let level = x.hypot(y);
@@ -65,7 +66,8 @@ pub struct SteadyTow {
     pub slip: f64,
 }
 
-/// Forces on a disc at a sinkage [m]; the slip of a free, braked or driven disc is that which balances its torque.
+/// Forces on a disc at a sinkage [m]; the slip of a free, braked or driven disc is that which balances its
+/// torque.
 ///
 /// A braked disc is locked where no slip balances the brake.
 ///
@@ -127,8 +129,8 @@ pub fn body_at_depth(
     })
 }
 
-/// Speeds of the axle and of the rim about it, of which only the ratio matters: the larger one is 1, so that it is finite up to spinning
-/// on the spot.
+/// Speeds of the axle and of the rim about it, of which only the ratio matters: the larger one is 1, so that
+/// it is finite up to spinning on the spot.
 fn speeds(slip: f64) -> [f64; 2] {
     if slip > 0.0 { [1.0 - slip, 1.0] } else { [1.0, 1.0 + slip] }
 }
@@ -201,8 +203,9 @@ fn disc_at_slip(law: &impl Traction, disc: &Disc, sinkage: f64, slip: f64) -> St
     let [speed, rim] = speeds(slip);
     let motion =
         Motion { height: radius - sinkage, velocity: [speed, 0.0, 0.0], spin: [0.0, rim / radius, 0.0] };
-    // The rear of the rim moves away from the soil at any slip. On the front the friction changes sign where the rim moves
-    // normal to itself; a facet across that point would make the forces discontinuous in the slip.
+    // The rear of the rim moves away from the soil at any slip. On the front the friction changes sign where
+    // the rim moves normal to itself; a facet across that point would make the forces discontinuous in the
+    // slip.
     let transition = rim.acos().min(contact_angle);
     let mut front = rim_facets(disc, 0.0, transition);
     front.extend(rim_facets(disc, transition, contact_angle));

@@ -13,7 +13,8 @@ pub struct Uncertainty {
     pub deviation: f64,
     /// Quantiles of 5 %, 50 % and 95 %.
     pub quantiles: [f64; 3],
-    /// First-order Sobol index of each input: the fraction of the variance that would vanish if it were known.
+    /// First-order Sobol index of each input: the fraction of the variance that would vanish if it were
+    /// known.
     pub first_order: Vec<f64>,
     /// Total Sobol index of each input: the fraction that would remain if all others were known.
     pub total: Vec<f64>,
@@ -23,14 +24,16 @@ pub struct Uncertainty {
     pub failed: f64,
 }
 
-/// Propagates `distributions` through `model`, which returns N numbers at once, with about `evaluations` evaluations.
+/// Propagates `distributions` through `model`, which returns N numbers at once, with about `evaluations`
+/// evaluations.
 ///
-/// First-order indices by Saltelli et al. (2010), Comput. Phys. Commun. 181, eq. (b), total by Jansen (1999), on two
-/// halves of one Sobol sequence in twice as many dimensions. Reproducible: the same `seed` gives the same result.
+/// First-order indices by Saltelli et al. (2010), Comput. Phys. Commun. 181, eq. (b), total by Jansen (1999),
+/// on two halves of one Sobol sequence in twice as many dimensions. Reproducible: the same `seed` gives the
+/// same result.
 ///
 /// # Errors
-/// With no input or more than ten, fewer than 64 or more than 10⁸ evaluations, a distribution without width, or a model
-/// without a result for more than nine samples in ten.
+/// With no input or more than ten, fewer than 64 or more than 10⁸ evaluations, a distribution without width,
+/// or a model without a result for more than nine samples in ten.
 pub fn propagate<const N: usize>(
     distributions: &[Distribution],
     evaluations: usize,

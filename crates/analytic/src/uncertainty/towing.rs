@@ -20,8 +20,9 @@ pub struct TowingUncertainty {
 
 /// Distributions of the prediction of one model for uncertain parameters of the case.
 ///
-/// Plasticity models use the recommended strength of each sample. `table`, made once for all models by [`sweep_table`],
-/// replaces the solution of a stress field in each evaluation, so that 10⁵ of them take a few seconds.
+/// Plasticity models use the recommended strength of each sample. `table`, made once for all models by
+/// [`sweep_table`], replaces the solution of a stress field in each evaluation, so that 10⁵ of them take a
+/// few seconds.
 ///
 /// # Errors
 /// If the case is out of range or the model has no result for it, and as [`propagate`].
@@ -51,8 +52,9 @@ pub fn propagate_towing(
     Ok(TowingUncertainty { drag, vertical, sinkage: gives_sinkage.then_some(sinkage) })
 }
 
-/// A table of the passive coefficient for all friction angles and wall friction angles of the samples; `None` if the
-/// backfill is uncertain, where no model uses it, or where the field does not exist in the whole range.
+/// A table of the passive coefficient for all friction angles and wall friction angles of the samples; `None`
+/// if the backfill is uncertain, where no model uses it, or where the field does not exist in the whole
+/// range.
 #[must_use]
 pub fn sweep_table(base: &Towing, inputs: &[(Parameter, Distribution)]) -> Option<PressureTable> {
     if inputs.iter().any(|(parameter, _)| *parameter == Parameter::Backfill) {

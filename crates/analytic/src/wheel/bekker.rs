@@ -44,7 +44,8 @@ impl PressureSinkage {
         Ok(())
     }
 
-    /// Pressure under a plate of width b [m] at sinkage z [m]: p = (k_c/b + k_φ) zⁿ [Pa]. Source: Bekker (1956).
+    /// Pressure under a plate of width b [m] at sinkage z [m]: p = (k_c/b + k_φ) zⁿ [Pa]. Source: Bekker
+    /// (1956).
     #[must_use]
     pub fn pressure(&self, width: f64, sinkage: f64) -> f64 {
         (self.cohesive / width + self.frictional) * sinkage.max(0.0).powf(self.exponent)
@@ -54,8 +55,9 @@ impl PressureSinkage {
 /// Sinkage and motion resistance of a towed rigid wheel.
 ///
 /// z = [3W / ((3−n)(k_c + b k_φ) √d)]^{2/(2n+1)}, R = b (k_c/b + k_φ) z^{n+1}/(n+1).
-/// Source: Bekker (1956, 1969), as in Wong, Theory of Ground Vehicles (recalled, not re-read). Wong advises d > 0.5 m and
-/// z ≪ d. For z > d/2, where the parabola no longer approximates the rim, there is no result. `weight` in N.
+/// Source: Bekker (1956, 1969), as in Wong, Theory of Ground Vehicles (recalled, not re-read). Wong advises
+/// d > 0.5 m and z ≪ d. For z > d/2, where the parabola no longer approximates the rim, there is no result.
+/// `weight` in N.
 ///
 /// # Errors
 /// If an input is out of range, or the wheel would sink deeper than half its diameter.
@@ -70,7 +72,8 @@ pub fn bekker_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> ModelRe
     Ok(RollingResistance { resistance: finite("the rolling resistance", resistance)?, sinkage })
 }
 
-/// Bekker's wheel at a given sinkage z [m]: the resistance, and the weight carried, W = (3−n)/3 (k_c + b k_φ) √d z^{n+½} [N].
+/// Bekker's wheel at a given sinkage z [m]: the resistance, and the weight carried, W = (3−n)/3 (k_c + b k_φ)
+/// √d z^{n+½} [N].
 ///
 /// # Errors
 /// If an input is out of range.
@@ -88,7 +91,8 @@ pub fn bekker_at_depth(
     Ok((RollingResistance { resistance, sinkage: z }, weight))
 }
 
-/// Shear stress at the shear displacement j [m] under the normal pressure σ [Pa]: (c + σ tan φ)(1 − e^{−|j|/K}) [Pa].
+/// Shear stress at the shear displacement j [m] under the normal pressure σ [Pa]: (c + σ tan φ)(1 −
+/// e^{−|j|/K}) [Pa].
 ///
 /// Source: Janosi & Hanamoto (1961). For soil without a peak strength.
 #[must_use]

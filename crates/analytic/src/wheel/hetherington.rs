@@ -8,12 +8,13 @@ use crate::error::{ModelResult, finite, positive, within};
 /// Prefactor of the shallow arc, ½ (3/2)^{4/3}: F_H = 0.858 (W⁴/(γ N_q t d²))^{1/3}.
 pub const ARC_PREFACTOR: f64 = 0.858_535_7;
 
-/// RollingResistance resistance R = (2 W⁴ / (γ N_q b d²))^{1/3} [N] and sinkage of a rigid wheel towed in sand.
+/// RollingResistance resistance R = (2 W⁴ / (γ N_q b d²))^{1/3} [N] and sinkage of a rigid wheel towed in
+/// sand.
 ///
 /// With the mean surcharge pressure ½ γ N_q z on the chord: z = (2W/(γ N_q b √d))^{2/3}, R = W √(z/d).
 /// Source: Hetherington & Littleton (1978), J. Terramech. 15(2), 95–105 (formula recalled and re-derived).
-/// φ in radians, `unit_weight` in N/m³, `weight` in N. Valid for narrow wheels in sand at shallow sinkage (z ≪ d); the
-/// width of the contact (N_γ) is neglected.
+/// φ in radians, `unit_weight` in N/m³, `weight` in N. Valid for narrow wheels in sand at shallow sinkage (z
+/// ≪ d); the width of the contact (N_γ) is neglected.
 ///
 /// # Errors
 /// If an input is out of range.
@@ -32,7 +33,8 @@ pub fn hetherington_littleton(
     })
 }
 
-/// The wheel of Hetherington & Littleton at a given sinkage z [m]: R = W √(z/d), and the weight carried, W = ½ γ N_q b √d z^{3/2} [N].
+/// The wheel of Hetherington & Littleton at a given sinkage z [m]: R = W √(z/d), and the weight carried, W =
+/// ½ γ N_q b √d z^{3/2} [N].
 ///
 /// # Errors
 /// If an input is out of range (0 < z ≤ d/2).
@@ -50,7 +52,8 @@ pub fn hetherington_littleton_at_depth(
 
 /// Rolling resistance with the surcharge pressure integrated along a shallow arc instead of the chord.
 ///
-/// F_H = 0.858 (W⁴/(γ N_q t d²))^{1/3}, z = (3W/(2 γ N_q t √d))^{2/3}: the limit of model BC for N_γ → 0 and z ≪ d.
+/// F_H = 0.858 (W⁴/(γ N_q t d²))^{1/3}, z = (3W/(2 γ N_q t √d))^{2/3}: the limit of model BC for N_γ → 0 and
+/// z ≪ d.
 ///
 /// # Errors
 /// If an input is out of range.

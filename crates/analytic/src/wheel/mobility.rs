@@ -30,8 +30,8 @@ impl MobilityGroup {
 
 /// Towed force of Wismer & Luth: R/W = 1.2/C_n + 0.04, R in N; without a sinkage (0 is returned).
 ///
-/// Source: Wismer & Luth (1973) (recalled; the same 1.2/C_n + 0.04 read in public code for tractors). For tyres
-/// with b/d ≈ 0.3 on cohesive-frictional soil.
+/// Source: Wismer & Luth (1973) (recalled; the same 1.2/C_n + 0.04 read in public code for tractors). For
+/// tyres with b/d ≈ 0.3 on cohesive-frictional soil.
 ///
 /// # Errors
 /// As [`MobilityGroup::rigid`].

@@ -19,11 +19,12 @@ const fn terrain(name: &'static str, row: [f64; 5], shear_modulus: f64) -> Terra
     Terrain { name, soil }
 }
 
-/// Bekker constants of Wong, Theory of Ground Vehicles (2008), compared row by row with a public parameter table for Project
-/// Chrono that cites it. Only n of LETE sand differs: 0.79 in that table, 0.793 in Chrono itself.
+/// Bekker constants of Wong, Theory of Ground Vehicles (2008), compared row by row with a public parameter
+/// table for Project Chrono that cites it. Only n of LETE sand differs: 0.79 in that table, 0.793 in Chrono
+/// itself.
 ///
-/// Rows: n, k_c [kN/m^{n+1}], k_φ [kN/m^{n+2}], c [kPa], φ [°]; K chosen: 15 mm for sand and snow, 6 mm for clay, 10 mm
-/// for loams in between (recalled ranges: 10 to 25 mm for sand, 6 mm for clay).
+/// Rows: n, k_c [kN/m^{n+1}], k_φ [kN/m^{n+2}], c [kPa], φ [°]; K chosen: 15 mm for sand and snow, 6 mm for
+/// clay, 10 mm for loams in between (recalled ranges: 10 to 25 mm for sand, 6 mm for clay).
 pub const TERRAINS: [Terrain; 21] = [
     terrain("dry sand (LLL)", [1.1, 0.99, 1528.43, 1.04, 28.0], 0.015),
     terrain("LETE sand", [0.793, 102.0, 5301.0, 1.3, 31.1], 0.015),
@@ -48,6 +49,6 @@ pub const TERRAINS: [Terrain; 21] = [
     terrain("snow (Sweden)", [1.44, 10.55, 66.08, 6.0, 20.7], 0.015),
 ];
 
-/// The dry sand of the wheel tests in robomechanics/3d-terramechanics, with the constants fitted there (read in that
-/// repository).
+/// The dry sand of the wheel tests in robomechanics/3d-terramechanics, with the constants fitted there (read
+/// in that repository).
 pub const CMU_SAND: Terrain = terrain("CMU dry sand", [1.46, 0.0, 8000.0, 1.0, 29.0], 0.021);

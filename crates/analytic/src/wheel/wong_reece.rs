@@ -33,12 +33,13 @@ struct Sums {
 
 /// Drag, sinkage and slip of a towed rigid wheel under a load W [N].
 ///
-/// Front (θ₀ < θ < θ₁): σ = (k_c/b + k_φ) rⁿ (cos θ − cos θ₁)ⁿ; behind, the same at θ₁ − θ (θ₁ − θ₀)/θ₀ (no rear contact).
-/// τ by Janosi–Hanamoto with the shear displacements j = r[(θ₁−θ)(1 + K_v(1+i)) − (1+i)(sin θ₁ − sin θ)] in front and
-/// r[(θ₀−θ) − (1+i)(sin θ₀ − sin θ)] behind, of opposite sense, v = rω(1+i), K_v so that the first is 0 at θ₀;
-/// tan(45° − φ/2) = (cos θ₀ − 1/(1+i))/sin θ₀. θ₁ follows from the load, the slip from zero torque.
-/// Source: Wong & Reece (1967), J. Terramech. 4(2), Part II; shear displacements read in jcmadsen/pyTerramechanics.
-/// Bekker's modulus replaces Reece's, so that the published constants apply. Valid for z ≲ 0.3 d.
+/// Front (θ₀ < θ < θ₁): σ = (k_c/b + k_φ) rⁿ (cos θ − cos θ₁)ⁿ; behind, the same at θ₁ − θ (θ₁ − θ₀)/θ₀ (no
+/// rear contact). τ by Janosi–Hanamoto with the shear displacements j = r[(θ₁−θ)(1 + K_v(1+i)) − (1+i)(sin
+/// θ₁ − sin θ)] in front and r[(θ₀−θ) − (1+i)(sin θ₀ − sin θ)] behind, of opposite sense, v = rω(1+i), K_v so
+/// that the first is 0 at θ₀; tan(45° − φ/2) = (cos θ₀ − 1/(1+i))/sin θ₀. θ₁ follows from the load, the slip
+/// from zero torque. Source: Wong & Reece (1967), J. Terramech. 4(2), Part II; shear displacements read in
+/// jcmadsen/pyTerramechanics. Bekker's modulus replaces Reece's, so that the published constants apply. Valid
+/// for z ≲ 0.3 d.
 ///
 /// # Errors
 /// If an input is out of range, or there is no equilibrium.
@@ -63,7 +64,8 @@ pub fn wong_reece_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Mod
     Ok(WheelState { drag, vertical, sinkage, entry_angle, transition_angle, slip })
 }
 
-/// The wheel of Wong & Reece at a given sinkage [m]; the vertical force is the load that the soil carries there.
+/// The wheel of Wong & Reece at a given sinkage [m]; the vertical force is the load that the soil carries
+/// there.
 ///
 /// # Errors
 /// As [`wong_reece_towed`].
@@ -78,8 +80,8 @@ pub fn wong_reece_at_depth(soil: &PressureSinkage, disc: &Disc, sinkage: f64) ->
     Ok(WheelState { drag, vertical, sinkage, entry_angle, transition_angle, slip })
 }
 
-/// The slip without torque closest to rolling: near rolling the front zone brakes the wheel, with more slip the rear zone
-/// drives it.
+/// The slip without torque closest to rolling: near rolling the front zone brakes the wheel, with more slip
+/// the rear zone drives it.
 fn torque_free_slip(torque: impl Fn(f64) -> f64) -> Option<f64> {
     let steps = (0..=30).map(|n| -0.002 - 0.02 * f64::from(n));
     let mut last: Option<(f64, f64)> = None;

@@ -14,10 +14,12 @@ pub(crate) struct Arguments {
     /// Measured curves: CSV files with units in the header
     #[arg(required = true, value_name = "MEASURED")]
     measured: Vec<PathBuf>,
-    /// What is to be found, with its prior: KEY="28 deg".."45 deg", KEY="33 ± 3 deg" or KEY="32 MPa */ 3"; may be repeated
+    /// What is to be found, with its prior: KEY="28 deg".."45 deg", KEY="33 ± 3 deg" or KEY="32 MPa */ 3";
+    /// may be repeated
     #[arg(long = "parameter", value_name = "KEY=PRIOR")]
     parameters: Vec<String>,
-    /// A key that follows from parameters, such as soil.minimum_density="2650/(1 + e_max) [kg/m^3]"; may be repeated
+    /// A key that follows from parameters, such as soil.minimum_density="2650/(1 + e_max) [kg/m^3]"; may be
+    /// repeated
     #[arg(long = "link", value_name = "KEY=EXPRESSION [UNIT]")]
     links: Vec<String>,
     /// Which model is calibrated
@@ -29,7 +31,8 @@ pub(crate) struct Arguments {
     /// Runs of the solver at most
     #[arg(long, value_name = "RUNS", default_value_t = 30)]
     budget: usize,
-    /// Noise of the measurements, as a part of the value; estimated unless it is given or the file has standard deviations
+    /// Noise of the measurements, as a part of the value; estimated unless it is given or the file has
+    /// standard deviations
     #[arg(long, value_name = "PERCENT")]
     noise: Option<String>,
     /// Error of the model that all points of a curve have in common, as a part of the value
@@ -41,7 +44,8 @@ pub(crate) struct Arguments {
     /// What is fitted, such as drag,vertical [default: every force, pressure and torque of the file]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     quantity: Vec<String>,
-    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign, COLUMN=- to leave it out; may be repeated
+    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign,
+    /// COLUMN=- to leave it out; may be repeated
     #[arg(long = "column", value_name = "COLUMN=QUANTITY")]
     columns: Vec<String>,
     /// With --model both: keep the solver's runs within what the closed form leaves open
@@ -131,8 +135,8 @@ impl Arguments {
         })
     }
 
-    /// What identifies the request, to recognise it again: everything but where and how fast. With it goes the content of case and
-    /// measurements, as files change.
+    /// What identifies the request, to recognise it again: everything but where and how fast. With it goes
+    /// the content of case and measurements, as files change.
     pub(super) fn identity(&self, request: &Request<'_>) -> Result<String, Failure> {
         let Self { parameters, links, overrides, quantity, measured, .. } = self;
         let rest = (&self.closed_form, &self.noise, &self.model_error, &self.window, &self.samples);

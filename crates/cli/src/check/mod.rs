@@ -84,7 +84,8 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     say(&text)
 }
 
-/// A case as understood and what it costs, in words; without the time that it takes, which would have to be measured.
+/// A case as understood and what it costs, in words; without the time that it takes, which would have to be
+/// measured.
 #[must_use]
 pub fn check_text(case: &Case) -> String {
     described(case, &estimate::cost(case), None)

@@ -23,8 +23,9 @@ pub(super) struct Arguments {
     /// Overwrite existing results
     #[arg(long, conflicts_with_all = ["resume", "auto_resume"])]
     force: bool,
-    /// Threads of each process [default: those of the case]; 0 for as many as `SLURM_CPUS_PER_TASK` says, or else `OMP_NUM_THREADS`,
-    /// or else one per core that it may use by affinity and control groups (processes on one machine share its cores)
+    /// Threads of each process [default: those of the case]; 0 for as many as `SLURM_CPUS_PER_TASK` says, or
+    /// else `OMP_NUM_THREADS`, or else one per core that it may use by affinity and control groups (processes
+    /// on one machine share its cores)
     #[arg(long, value_name = "N", value_parser = crate::common::threads())]
     threads: Option<u16>,
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
@@ -39,21 +40,22 @@ pub(super) struct Arguments {
     /// For schedulers: start, resume, or leave a finished run unchanged
     #[arg(long, conflicts_with = "resume")]
     auto_resume: bool,
-    /// Run the case on N meshes, each with cells 1.5 times as wide as the next, to get intervals of drag, vertical force,
-    /// sinkage and turn ratio; 3 is usual. The finest is the case's own. Takes about 1.25 times as long as
-    /// without, in plane strain some 1.7 times; `check --meshes N` has the figure
+    /// Run the case on N meshes, each with cells 1.5 times as wide as the next, to get intervals of drag,
+    /// vertical force, sinkage and turn ratio; 3 is usual. The finest is the case's own. Takes about 1.25
+    /// times as long as without, in plane strain some 1.7 times; `check --meshes N` has the figure
     #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
     meshes: Option<usize>,
-    /// Run variations of the case as well (coarser meshes, a larger domain, half the speed, the other precision) to get one
-    /// interval (90 %) for each force and sinkage, and what dominates it. `check --confidence` shows what they cost
+    /// Run variations of the case as well (coarser meshes, a larger domain, half the speed, the other
+    /// precision) to get one interval (90 %) for each force and sinkage, and what dominates it.
+    /// `check --confidence` shows what they cost
     #[arg(long, conflicts_with = "meshes")]
     confidence: bool,
-    /// How long the variations may take together: "20 min", or a multiple of the case's own run such as 4x. What does not fit
-    /// is reported as not examined [default: 6x]
+    /// How long the variations may take together: "20 min", or a multiple of the case's own run such as 4x.
+    /// What does not fit is reported as not examined [default: 6x]
     #[arg(long, value_name = "TIME", requires = "confidence", value_parser = crate::common::budget)]
     budget: Option<Budget>,
-    /// What the intervals leave out, because it is a part of the problem: domain (real walls), speed (a fast tow that is meant),
-    /// mesh, precision; may be repeated
+    /// What the intervals leave out, because it is a part of the problem: domain (real walls), speed (a fast
+    /// tow that is meant), mesh, precision; may be repeated
     #[arg(long, value_name = "SOURCE", requires = "confidence", value_delimiter = ',', value_parser = crate::common::error_source)]
     without: Vec<ErrorSource>,
     /// Print summary.json at the end

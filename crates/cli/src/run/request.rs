@@ -94,8 +94,8 @@ impl RunRequest {
     }
 }
 
-/// The cost of a case, with the space that the results of the coarser meshes and of the variations take, and the memory of the
-/// largest.
+/// The cost of a case, with the space that the results of the coarser meshes and of the variations take, and
+/// the memory of the largest.
 fn cost(case: &Case, coarser: &[CoarserMesh], plan: Option<&VariationPlan>) -> Cost {
     let mut cost = estimate::cost(case);
     let varied = plan.iter().flat_map(|plan| plan.variations.iter().map(|variation| &variation.case));
@@ -108,11 +108,13 @@ fn cost(case: &Case, coarser: &[CoarserMesh], plan: Option<&VariationPlan>) -> C
 }
 
 impl PreparedRun {
-    /// Runs the case to its end, or until `interrupts` ask to stop; `follower` gets every sample of a case that is run without
-    /// others beside it, and may stop it. The summary may be that of a broken run: see [`graded`].
+    /// Runs the case to its end, or until `interrupts` ask to stop; `follower` gets every sample of a case
+    /// that is run without others beside it, and may stop it. The summary may be that of a broken run:
+    /// see [`graded`].
     ///
     /// # Errors
-    /// [`Failure`] where the run broke down, was stopped (signal 0: by the follower), or could not read or write its results.
+    /// [`Failure`] where the run broke down, was stopped (signal 0: by the follower), or could not read or
+    /// write its results.
     pub fn run(&self, interrupts: &Interrupts, follower: &mut dyn Follower) -> Result<Box<Summary>, Failure> {
         let options = RunOptions {
             folder: &self.folder,

@@ -74,7 +74,8 @@ pub(super) fn stopped(signal: i32) -> Failure {
     Failure::Stopped { signal, message }
 }
 
-/// Runs what is left of a study on this machine and tells how it gets on; `quiet`, nothing on standard output.
+/// Runs what is left of a study on this machine and tells how it gets on; `quiet`, nothing on standard
+/// output.
 pub(super) fn pooled(shared: &Shared, lines: &[CaseLine], pool: &Pool, quiet: bool) -> PoolEnd {
     if pool.workers.is_none() {
         warn(&cores::cores().notes);

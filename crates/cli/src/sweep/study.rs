@@ -36,7 +36,8 @@ pub struct SweptStudy {
 /// Expands a study, runs what is left of it and writes its tables, charts and page, as `coulter sweep` does.
 ///
 /// # Errors
-/// [`Failure`] where the study is wrong, its folder cannot be used, or `interrupts` have stopped it; what has ended is kept.
+/// [`Failure`] where the study is wrong, its folder cannot be used, or `interrupts` have stopped it; what has
+/// ended is kept.
 pub fn sweep_study(
     request: &SweepRequest,
     interrupts: &Interrupts,

@@ -1,4 +1,5 @@
-//! What is told while a study runs: a line for every case that has ended, wherever the output goes, and a bar on a terminal.
+//! What is told while a study runs: a line for every case that has ended, wherever the output goes, and a bar
+//! on a terminal.
 
 use crate::common::{say, tell};
 use coulter::case::quantity::short;
@@ -12,7 +13,8 @@ use studies::sweep::line::CaseLine;
 use studies::sweep::outcome::{Ending, Outcome};
 use studies::sweep::pool::Watcher;
 
-/// Closed forms that are told one by one; of more, that many lines at even distances, and every one that has no answer (chosen).
+/// Closed forms that are told one by one; of more, that many lines at even distances, and every one that has
+/// no answer (chosen).
 const TOLD: usize = 100;
 
 /// Tells of every case that ends.

@@ -1,7 +1,9 @@
-//! Joints between two bodies, or between a body and the ground. A joint is one file that implements [`Joint`].
+//! Joints between two bodies, or between a body and the ground. A joint is one file that
+//! implements [`Joint`].
 //!
-//! A joint is a few rows J of a condition on the velocities of a step, J u = bias. Written with mean arms and mean axes it keeps
-//! points and axes together exactly, since with the Cayley map displacements within a step are linear in them.
+//! A joint is a few rows J of a condition on the velocities of a step, J u = bias. Written with mean arms and
+//! mean axes it keeps points and axes together exactly, since with the Cayley map displacements within a step
+//! are linear in them.
 
 mod ball;
 mod hinge;
@@ -18,8 +20,8 @@ use crate::wrench::Wrench;
 use glam::DVec3;
 use std::fmt::Debug;
 
-/// Fraction of a remaining gap that a joint closes within a step; chosen: small enough to do no noticeable work, large enough to
-/// undo round-off (Baumgarte 1972).
+/// Fraction of a remaining gap that a joint closes within a step; chosen: small enough to do no noticeable
+/// work, large enough to undo round-off (Baumgarte 1972).
 pub const CLOSURE: f64 = 0.1;
 
 /// A joint.
@@ -43,8 +45,8 @@ pub struct Row {
     pub wrench: [Wrench; 2],
     /// Velocity that the joint asks for [m/s or rad/s].
     pub bias: f64,
-    /// Velocity per impulse by which it yields [1/kg or 1/(kg m²)]; 0 for a rigid joint. The impulse meant is half that of the
-    /// step: a spring of stiffness k and damping d has 2/(Δt (½ k Δt + d)).
+    /// Velocity per impulse by which it yields [1/kg or 1/(kg m²)]; 0 for a rigid joint. The impulse meant is
+    /// half that of the step: a spring of stiffness k and damping d has 2/(Δt (½ k Δt + d)).
     pub compliance: f64,
 }
 
@@ -71,8 +73,8 @@ impl Rows {
     }
 }
 
-/// Rows that keep pairs of directions perpendicular, a · b = 0, the first of each carried by the first body and the second by the
-/// second: the change of a · b in a step is Δt (ω₁ − ω₂) · (ā × b̄) exactly.
+/// Rows that keep pairs of directions perpendicular, a · b = 0, the first of each carried by the first body
+/// and the second by the second: the change of a · b in a step is Δt (ω₁ − ω₂) · (ā × b̄) exactly.
 fn couples<const N: usize>(
     pairs: [[DVec3; 2]; N],
     [first, second]: [&Configuration; 2],

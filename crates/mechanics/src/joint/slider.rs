@@ -17,8 +17,8 @@ pub struct Slider {
 }
 
 impl Slider {
-    /// Through a point of space [m] along an axis, for bodies at the given poses; the pose of the ground is the identity. A zero
-    /// axis is taken for z.
+    /// Through a point of space [m] along an axis, for bodies at the given poses; the pose of the ground is
+    /// the identity. A zero axis is taken for z.
     #[must_use]
     pub fn at(point: DVec3, axis: DVec3, bodies: [Option<usize>; 2], poses: [&Pose; 2]) -> Self {
         let axis = axis.try_normalize().unwrap_or(DVec3::Z);
@@ -33,8 +33,9 @@ impl Joint for Slider {
         self.bodies
     }
 
-    /// d · n = 0 for the offset d of the second body's point from the first's and both directions n across the axis, which the first
-    /// body carries: its change in a step is Δt (Δu · n̄ + ω₁ · (n̄ × d̄)) exactly. And no relative rotation.
+    /// d · n = 0 for the offset d of the second body's point from the first's and both directions n across
+    /// the axis, which the first body carries: its change in a step is Δt (Δu · n̄ + ω₁ · (n̄ × d̄)) exactly.
+    /// And no relative rotation.
     fn rows(&self, [first, second]: [&Configuration; 2], dt: f64) -> Rows {
         let start = second.point_at_start(self.points[1]) - first.point_at_start(self.points[0]);
         let end = second.point_at_end(self.points[1]) - first.point_at_end(self.points[0]);

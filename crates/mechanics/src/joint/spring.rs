@@ -24,7 +24,8 @@ pub struct Spring {
 }
 
 impl Spring {
-    /// Between two points of space [m], without force at their distance, for bodies at the given poses; no damping.
+    /// Between two points of space [m], without force at their distance, for bodies at the given poses; no
+    /// damping.
     #[must_use]
     pub fn between(ends: [DVec3; 2], bodies: [Option<usize>; 2], poses: [&Pose; 2], stiffness: f64) -> Self {
         let points = [poses[0].point_in_body(ends[0]), poses[1].point_in_body(ends[1])];
@@ -44,8 +45,8 @@ impl Joint for Spring {
         self.bodies
     }
 
-    /// The change of the length in a step is Δt J u exactly, and the force that of the mean length. A cable is slack for a whole
-    /// step or not at all.
+    /// The change of the length in a step is Δt J u exactly, and the force that of the mean length. A cable
+    /// is slack for a whole step or not at all.
     fn rows(&self, [first, second]: [&Configuration; 2], dt: f64) -> Rows {
         let start = first.point_at_start(self.points[0]) - second.point_at_start(self.points[1]);
         let end = first.point_at_end(self.points[0]) - second.point_at_end(self.points[1]);

@@ -4,7 +4,8 @@ use super::{Disc, MassProperties, Mesh, Shape, SurfacePoint, inset_in_frame, pai
 use glam::{DMat3, DVec3};
 use std::sync::Arc;
 
-/// How far a point is moved along its normal before it counts as covered by another solid, over the spacing of the points.
+/// How far a point is moved along its normal before it counts as covered by another solid, over the spacing
+/// of the points.
 const BEYOND: f64 = 1e-6;
 /// Gap between two discs, over their size, below which they share a face.
 const SHARED_FACE: f64 = 1e-9;
@@ -54,8 +55,8 @@ pub struct Compound {
 }
 
 impl Compound {
-    /// Of solids that do not overlap; solids without a surface are none of its parts. Discs of one diameter on one axle that share
-    /// faces are one disc, without edges in between.
+    /// Of solids that do not overlap; solids without a surface are none of its parts. Discs of one diameter
+    /// on one axle that share faces are one disc, without edges in between.
     #[must_use]
     pub fn new(parts: Vec<Placed>) -> Self {
         let merged = merge(&parts);

@@ -30,8 +30,8 @@ impl std::fmt::Display for Axis {
     }
 }
 
-/// A cylinder centred on the origin: a disc with another axis, and with contact points that are symmetric about both planes
-/// through the axis, so that half or a quarter of it can be modelled.
+/// A cylinder centred on the origin: a disc with another axis, and with contact points that are symmetric
+/// about both planes through the axis, so that half or a quarter of it can be modelled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
     /// Diameter [m].

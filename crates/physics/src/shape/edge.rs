@@ -4,7 +4,8 @@ use super::facets::SHARP;
 use glam::DVec2;
 use std::f64::consts::TAU;
 
-/// Largest turn of a piece into which an arc is divided for a mesh or an integral [rad]: 96 pieces to a circle.
+/// Largest turn of a piece into which an arc is divided for a mesh or an integral [rad]: 96 pieces to a
+/// circle.
 pub(super) const PIECE: f64 = TAU / 96.0;
 
 /// An edge; what it bounds lies to its left.
@@ -75,7 +76,8 @@ impl Edge {
         -self.tangent(fraction).perp()
     }
 
-    /// Where it is nearest to a point, and the distance [m]: signed where that is between its ends, positive to its right.
+    /// Where it is nearest to a point, and the distance [m]: signed where that is between its ends, positive
+    /// to its right.
     pub(super) fn nearest(&self, x: DVec2) -> (Foot, f64) {
         let within = match self.arc {
             None => {
@@ -115,7 +117,8 @@ impl Edge {
         (low, DVec2::new(along(DVec2::X), along(DVec2::Y)))
     }
 
-    /// Radius [m] of an arc that rounds a sharp convex corner, and the length [m] by which it falls short of the corner on both sides.
+    /// Radius [m] of an arc that rounds a sharp convex corner, and the length [m] by which it falls short of
+    /// the corner on both sides.
     pub(super) fn rounding(&self) -> Option<(f64, f64)> {
         self.arc
             .filter(|arc| arc.turn > 0.0 && arc.turn.cos() <= SHARP)
@@ -140,8 +143,8 @@ impl Edge {
         }
     }
 
-    /// ∫ f(u, v) dv along it, by Gauss' rule of four points on each piece: exact for polynomials up to the sixth degree on a
-    /// line, and to rounding on an arc.
+    /// ∫ f(u, v) dv along it, by Gauss' rule of four points on each piece: exact for polynomials up to the
+    /// sixth degree on a line, and to rounding on an arc.
     pub(super) fn integral(&self, f: &impl Fn(DVec2) -> f64) -> f64 {
         const POINTS: [(f64, f64); 4] = [
             (-0.861_136_311_594_052_6, 0.347_854_845_137_453_9),

@@ -35,7 +35,8 @@ pub(super) fn by_edge(sides: &[Side]) -> impl Iterator<Item = &[Side]> {
     sides.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high))
 }
 
-/// The triangle beyond each edge of each triangle; where there is none, or more than one, the triangle itself.
+/// The triangle beyond each edge of each triangle; where there is none, or more than one, the triangle
+/// itself.
 pub(super) fn neighbours(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut beyond: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|n| [n; 3]).collect();
     for edge in by_edge(&sides(triangles)) {

@@ -1,5 +1,5 @@
-//! A bounding-volume hierarchy of triangles: a binary tree of boxes along the axes, in which the nearest triangle, those that a
-//! ray meets and those in a box are found in about the logarithm of their number.
+//! A bounding-volume hierarchy of triangles: a binary tree of boxes along the axes, in which the nearest
+//! triangle, those that a ray meets and those in a box are found in about the logarithm of their number.
 
 use glam::DVec3;
 use std::cell::Cell;
@@ -14,7 +14,8 @@ const STACK: usize = 64;
 struct Node {
     low: DVec3,
     high: DVec3,
-    /// Of a leaf its first triangle, otherwise the number of its second child; the first child follows the node.
+    /// Of a leaf its first triangle, otherwise the number of its second child; the first child follows the
+    /// node.
     first: u32,
     /// Number of triangles of a leaf, otherwise 0.
     count: u32,
@@ -51,8 +52,8 @@ impl Hierarchy {
         (Self { nodes, corners }, order)
     }
 
-    /// Visits triangles that may be nearer to a point than the square of a distance [m²]; `visit(triangle, squared)` returns the
-    /// squared distance that is left.
+    /// Visits triangles that may be nearer to a point than the square of a distance [m²];
+    /// `visit(triangle, squared)` returns the squared distance that is left.
     pub(super) fn nearest(&self, x: DVec3, mut least: f64, mut visit: impl FnMut(usize, f64) -> f64) {
         let mut stack = [(0_u32, 0.0_f64); STACK];
         let mut height = usize::from(!self.nodes.is_empty());
@@ -127,7 +128,8 @@ impl Hierarchy {
         self.visit(meets, each);
     }
 
-    /// Visits triangles near a ray from a point, as far as what `visit` returned last, in lengths of the direction.
+    /// Visits triangles near a ray from a point, as far as what `visit` returned last, in lengths of the
+    /// direction.
     pub(super) fn first_along(&self, from: DVec3, direction: DVec3, mut visit: impl FnMut(usize) -> f64) {
         let inverse = direction.recip();
         let farthest = Cell::new(f64::INFINITY);

@@ -1,7 +1,7 @@
 //! Shapes of rigid bodies: signed distance, mass properties, contact points, triangle mesh.
 //!
-//! A shape is given in the body frame: origin at the body's reference point (for a disc the centre of the axle), the axle
-//! along `y`. Lengths in metres.
+//! A shape is given in the body frame: origin at the body's reference point (for a disc the centre of the
+//! axle), the axle along `y`. Lengths in metres.
 
 mod block;
 mod compound;
@@ -51,14 +51,14 @@ use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Midpoint of division `n` of `count` equal divisions of the interval −½ to ½; those of opposite divisions are opposite
-/// to the bit.
+/// Midpoint of division `n` of `count` equal divisions of the interval −½ to ½; those of opposite divisions
+/// are opposite to the bit.
 fn midpoint(n: usize, count: f64) -> f64 {
     (2.0 * n as f64 + 1.0 - count) / (2.0 * count)
 }
 
-/// Directions around a circle of this circumference, at most `spacing` apart [m]. A quadrant is laid out and reflected, so
-/// the ring is symmetric about both axes to the bit, and no direction lies on an axis.
+/// Directions around a circle of this circumference, at most `spacing` apart [m]. A quadrant is laid out and
+/// reflected, so the ring is symmetric about both axes to the bit, and no direction lies on an axis.
 fn ring(circumference: f64, spacing: f64) -> Vec<[f64; 2]> {
     let quarter = divisions(0.25 * circumference, spacing);
     let mut directions = Vec::with_capacity(4 * quarter as usize);
@@ -69,18 +69,20 @@ fn ring(circumference: f64, spacing: f64) -> Vec<[f64; 2]> {
     directions
 }
 
-/// Number of equal divisions of a length, none longer than `spacing`; rounding errors add no further division.
+/// Number of equal divisions of a length, none longer than `spacing`; rounding errors add no further
+/// division.
 fn divisions(length: f64, spacing: f64) -> f64 {
     (length / spacing * (1.0 - 1e-9)).ceil().max(1.0)
 }
 
-/// Divisions of a length into parts of at most this spacing, an even number: points on a middle plane, where two cells may meet, would be assigned to one of them.
+/// Divisions of a length into parts of at most this spacing, an even number: points on a middle plane, where
+/// two cells may meet, would be assigned to one of them.
 fn even_divisions(length: f64, spacing: f64) -> f64 {
     2.0 * divisions(0.5 * length, spacing)
 }
 
-/// Number of points in rings of the given radii, each with `around` of its circumference points; for more rings than could
-/// be laid out it is estimated as `area`.
+/// Number of points in rings of the given radii, each with `around` of its circumference points; for more
+/// rings than could be laid out it is estimated as `area`.
 fn ring_points(rings: f64, radius: impl Fn(f64) -> f64, around: impl Fn(f64) -> f64, area: f64) -> f64 {
     const MOST_RINGS: f64 = 1e5;
     if rings > MOST_RINGS {
@@ -99,7 +101,8 @@ fn ring_count(circumference: f64, spacing: f64) -> f64 {
 struct RimInset {
     /// Along x [m].
     along_x: f64,
-    /// Square of that along z over that along x, less 1; exactly 0 where they differ by no more than rounding.
+    /// Square of that along z over that along x, less 1; exactly 0 where they differ by no more than
+    /// rounding.
     elongation: f64,
 }
 
@@ -165,13 +168,15 @@ fn paired_about(points: Vec<SurfacePoint>, middle: f64) -> Vec<SurfacePoint> {
     ordered
 }
 
-/// An inset [m] along the axes of space, along those of a frame that `rotation` takes to space: half an ellipsoid's widths.
+/// An inset [m] along the axes of space, along those of a frame that `rotation` takes to space: half an
+/// ellipsoid's widths.
 #[must_use]
 pub fn inset_in_frame(inset: DVec3, rotation: DMat3) -> DVec3 {
     DVec3::from_array([rotation.x_axis, rotation.y_axis, rotation.z_axis].map(|axis| (inset * axis).length()))
 }
 
-/// The shape of a rigid body: its signed distance and its mesh; the rest follows from these, unless the shape knows better.
+/// The shape of a rigid body: its signed distance and its mesh; the rest follows from these, unless the shape
+/// knows better.
 pub trait Shape: Send + Sync + std::fmt::Debug {
     /// Signed distance [m] from `x` (body frame) [m] to the surface; negative inside.
     fn signed_distance(&self, x: DVec3) -> f64;
@@ -190,20 +195,22 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     fn extent(&self, direction: DVec3) -> f64 {
         self.mesh().points.iter().map(|x| direction.dot(*x)).fold(f64::NEG_INFINITY, f64::max)
     }
-    /// Volume, centroid and moments of inertia of a homogeneous solid; from the mesh unless the shape knows better.
+    /// Volume, centroid and moments of inertia of a homogeneous solid; from the mesh unless the shape knows
+    /// better.
     fn mass_properties(&self) -> MassProperties {
         MassProperties::of_mesh(&self.mesh())
     }
-    /// Contact points about `spacing` [m] apart, at the distance `inset` [m] from sharp convex edges, both along x, y, z; from the
-    /// mesh and the signed distance, and the least spacing, unless the shape lays them out itself.
+    /// Contact points about `spacing` [m] apart, at the distance `inset` [m] from sharp convex edges, both
+    /// along x, y, z; from the mesh and the signed distance, and the least spacing, unless the shape lays
+    /// them out itself.
     ///
-    /// Points at a sharp edge would widen the body by half a cell, which the inset compensates. Points that are mirror images
-    /// in y are adjacent, so that contact treats them symmetrically.
+    /// Points at a sharp edge would widen the body by half a cell, which the inset compensates. Points that
+    /// are mirror images in y are adjacent, so that contact treats them symmetrically.
     fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
         sampler::sample(&self.mesh(), |x| self.signed_distance(x), spacing.min_element(), inset)
     }
-    /// Number of points of [`Shape::surface_points`], without laying them out; a float, since it may be huge. An estimate where
-    /// they come from the mesh.
+    /// Number of points of [`Shape::surface_points`], without laying them out; a float, since it may be huge.
+    /// An estimate where they come from the mesh.
     fn surface_point_count(&self, spacing: DVec3, _inset: DVec3) -> f64 {
         sampler::count(&self.mesh(), spacing.min_element())
     }
@@ -231,7 +238,8 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     fn has_surface(&self) -> bool {
         true
     }
-    /// Whether the shape is rotationally symmetric about the axle; its contact points then need not rotate with it.
+    /// Whether the shape is rotationally symmetric about the axle; its contact points then need not rotate
+    /// with it.
     fn is_revolved(&self) -> bool {
         false
     }

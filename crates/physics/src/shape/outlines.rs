@@ -50,8 +50,8 @@ pub struct Dish {
     pub hollow_is_left: bool,
 }
 
-/// The profile of a disc in the plane of the distance from the axle and y, centred between its outermost planes along y (as they
-/// are before its rim is bevelled).
+/// The profile of a disc in the plane of the distance from the axle and y, centred between its outermost
+/// planes along y (as they are before its rim is bevelled).
 ///
 /// The rim ends on a cylinder of this diameter. A dished disc has no rounded rim.
 #[must_use]
@@ -134,7 +134,8 @@ impl Faces {
         })
     }
 
-    /// Where a bevel that begins at a point of the rim and makes an angle [rad] with a face ends on that face.
+    /// Where a bevel that begins at a point of the rim and makes an angle [rad] with a face ends on that
+    /// face.
     fn bevel_end(&self, face: usize, from: DVec2, angle: f64) -> Option<DVec2> {
         let (height, slope) = self.at(face, from.x);
         // Towards the axle, and to the face.
@@ -189,7 +190,8 @@ impl Faces {
     }
 }
 
-/// The profile of a cone on a shaft, in the plane of the distance from the axis and z, its tip down, centred between tip and top.
+/// The profile of a cone on a shaft, in the plane of the distance from the axis and z, its tip down, centred
+/// between tip and top.
 ///
 /// `apex` is the angle at the tip [rad], `length` that of cone and shaft together [m].
 #[must_use]
@@ -214,7 +216,8 @@ pub struct Grousers {
     pub thickness: f64,
 }
 
-/// The profile of a wheel in the plane of x and z, centred on its axle; `diameter` is that of the rim between the grousers [m].
+/// The profile of a wheel in the plane of x and z, centred on its axle; `diameter` is that of the rim between
+/// the grousers [m].
 #[must_use]
 pub fn wheel(diameter: f64, grousers: Grousers) -> Option<Profile> {
     /// More would be a wheel with teeth, and a long profile.
@@ -246,8 +249,8 @@ pub fn wheel(diameter: f64, grousers: Grousers) -> Option<Profile> {
     Some(profile)
 }
 
-/// The profile of an upright blade in the plane of x and z, centred on the box round it, with its lower end bevelled at an angle
-/// [rad] to its faces down to an edge of this thickness [m], or square.
+/// The profile of an upright blade in the plane of x and z, centred on the box round it, with its lower end
+/// bevelled at an angle [rad] to its faces down to an edge of this thickness [m], or square.
 #[must_use]
 pub fn blade([thickness, height]: [f64; 2], sharpened: Option<(f64, f64, Bevel)>) -> Option<Profile> {
     let (half, bottom) = (0.5 * thickness, -0.5 * height);
@@ -280,8 +283,8 @@ pub fn blade([thickness, height]: [f64; 2], sharpened: Option<(f64, f64, Bevel)>
     Some(corners.iter().fold(begin, |profile, [x, z]| profile.line_to(*x, *z)))
 }
 
-/// The profile of a wedge in the plane of x and z, a right-angled triangle centred on the box round it: its edge at the bottom in
-/// front (+x), its base level, its back upright.
+/// The profile of a wedge in the plane of x and z, a right-angled triangle centred on the box round it: its
+/// edge at the bottom in front (+x), its base level, its back upright.
 #[must_use]
 pub fn wedge(length: f64, height: f64) -> Profile {
     let (x, z) = (0.5 * length, 0.5 * height);

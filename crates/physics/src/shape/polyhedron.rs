@@ -10,14 +10,16 @@ use super::{Shape, SurfacePoint};
 use glam::DVec3;
 use std::sync::{Arc, OnceLock};
 
-/// A triangle must be nearer than another one by this, as a factor of the squared distance, to be looked for: above a face the boxes
-/// of all its triangles are as near as the face itself, but for rounding.
+/// A triangle must be nearer than another one by this, as a factor of the squared distance, to be looked for:
+/// above a face the boxes of all its triangles are as near as the face itself, but for rounding.
 const NEARER: f64 = 1.0 - 1e-12;
 
-/// A solid bounded by a closed surface of triangles, which may consist of several shells. Copies share their triangles.
+/// A solid bounded by a closed surface of triangles, which may consist of several shells. Copies share their
+/// triangles.
 ///
-/// The distance to the surface is that to its nearest triangle. Its sign is that of the nearest point's pseudo-normal: the sum of
-/// the normals of the triangles that meet there, each weighted by its angle (Bærentzen & Aanæs 2005).
+/// The distance to the surface is that to its nearest triangle. Its sign is that of the nearest point's
+/// pseudo-normal: the sum of the normals of the triangles that meet there, each weighted by its angle
+/// (Bærentzen & Aanæs 2005).
 #[derive(Clone)]
 pub struct Polyhedron {
     parts: Arc<Parts>,
@@ -36,8 +38,8 @@ struct Parts {
 }
 
 impl Polyhedron {
-    /// The solid that a closed surface bounds, whose triangles share their points and are counter-clockwise seen from outside.
-    /// [`super::repaired`] makes such a surface from what a file holds.
+    /// The solid that a closed surface bounds, whose triangles share their points and are counter-clockwise
+    /// seen from outside. [`super::repaired`] makes such a surface from what a file holds.
     #[must_use]
     pub fn new(surface: Mesh) -> Self {
         let corners: Vec<[DVec3; 3]> =
@@ -66,7 +68,8 @@ impl Polyhedron {
         &self.parts.hierarchy
     }
 
-    /// Whether it is its own mirror image in the plane through the origin across an axis, up to a distance [m].
+    /// Whether it is its own mirror image in the plane through the origin across an axis, up to a
+    /// distance [m].
     #[must_use]
     pub fn is_mirrored(&self, axis: usize, tolerance: f64) -> bool {
         let image = |mut x: DVec3| {
@@ -216,7 +219,8 @@ mod tests {
             let fraction = angle.sin() / angle;
             let (solid, circle) = (meshed.mass_properties(), exact.mass_properties());
             assert!((solid.volume / (circle.volume * fraction) - 1.0).abs() < 1e-12);
-            // ∫ r² over a triangle of the fan: r⁴ sin α (2 + cos α)/12, against r⁴ α/4 (the inertia per mass: over the area).
+            // ∫ r² over a triangle of the fan: r⁴ sin α (2 + cos α)/12, against r⁴ α/4 (the inertia per mass:
+            // over the area).
             let inertia = (2.0 + angle.cos()) / 3.0;
             assert!((solid.about_axle() / (circle.about_axle() * inertia) - 1.0).abs() < 1e-12);
             let area = |shape: &dyn Shape| -> f64 {

@@ -5,15 +5,17 @@ use super::facets::SHARP;
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// The outline of a plane region of lines and circular arcs, counter-clockwise in the plane of u (to the right) and v (upwards).
+/// The outline of a plane region of lines and circular arcs, counter-clockwise in the plane of u (to the
+/// right) and v (upwards).
 ///
-/// It is a closed curve, or begins and ends on the axis u = 0, which then bounds the region, all of it at u ≥ 0. It does not
-/// cross itself, and has no cusp that is pointed like a needle, with faces that touch.
+/// It is a closed curve, or begins and ends on the axis u = 0, which then bounds the region, all of it at u ≥
+/// 0. It does not cross itself, and has no cusp that is pointed like a needle, with faces that touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
     begin: DVec2,
     edges: Vec<Edge>,
-    /// A box round each [`GROUP`] of its edges, so that the nearest edge of a long profile is found among few.
+    /// A box round each [`GROUP`] of its edges, so that the nearest edge of a long profile is found among
+    /// few.
     boxes: Vec<Bounds>,
 }
 
@@ -132,8 +134,8 @@ impl Profile {
         })
     }
 
-    /// A vector out of the region at the point where an edge begins, between the normals on both sides of it. On the axis the
-    /// outline meets its mirror image.
+    /// A vector out of the region at the point where an edge begins, between the normals on both sides of it.
+    /// On the axis the outline meets its mirror image.
     fn normal_before(&self, n: usize) -> DVec2 {
         let count = self.edges.len();
         let on_axis = |normal: DVec2| DVec2::new(0.0, normal.y);
@@ -151,7 +153,8 @@ impl Profile {
         self.edges.iter().map(|edge| edge.support(direction)).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// ∮ f(u, v) dv: by Green's theorem the integral of ∂f/∂u over the region, if f = 0 on an axis that bounds it.
+    /// ∮ f(u, v) dv: by Green's theorem the integral of ∂f/∂u over the region, if f = 0 on an axis that
+    /// bounds it.
     pub(super) fn integral(&self, f: impl Fn(DVec2) -> f64) -> f64 {
         self.edges.iter().map(|edge| edge.integral(&f)).sum()
     }
@@ -170,8 +173,8 @@ impl Profile {
         points
     }
 
-    /// How far the sharp convex corners before and after each edge are from its ends, along the outline [m]; infinite where there
-    /// is none. A corner that is rounded off counts as if it were not.
+    /// How far the sharp convex corners before and after each edge are from its ends, along the outline [m];
+    /// infinite where there is none. A corner that is rounded off counts as if it were not.
     pub(super) fn corners(&self) -> Vec<[f64; 2]> {
         let both = |n| [self.corner(n, false), self.corner(n, true)];
         (0..self.edges.len()).map(both).collect()
@@ -181,7 +184,8 @@ impl Profile {
     fn corner(&self, n: usize, forwards: bool) -> f64 {
         let (count, mut distance) = (self.edges.len(), 0.0);
         for step in 0..count {
-            // The edges on both sides of a point of the outline; where that meets the axis there is no corner.
+            // The edges on both sides of a point of the outline; where that meets the axis there is no
+            // corner.
             let (before, after) =
                 if forwards { (n + step, n + step + 1) } else { (n + count - step - 1, n + count - step) };
             if after == count && !self.is_closed() {
@@ -201,8 +205,8 @@ impl Profile {
         f64::INFINITY
     }
 
-    /// The part at v ≤ 0 of a profile that begins and ends on the axis, each edge with its distances from corners, if the part
-    /// at v ≥ 0 is its mirror image.
+    /// The part at v ≤ 0 of a profile that begins and ends on the axis, each edge with its distances from
+    /// corners, if the part at v ≥ 0 is its mirror image.
     pub(super) fn lower_half(&self) -> Option<Vec<(Edge, [f64; 2])>> {
         let size = self.edges.iter().map(|edge| edge.to.length()).fold(self.begin.length(), f64::max);
         let count = self.edges.len();

@@ -1,8 +1,9 @@
 //! From the triangles of a file to a closed surface that is oriented everywhere, or why there is none.
 //!
-//! Points that coincide become one; triangles that join a point to itself are dropped; slivers without height are turned into
-//! parts of their neighbours; and what is oriented against the rest is turned round. Edges without two triangles are mended where one
-//! answer is safe (`mend`). A surface that cannot be, or that goes through itself, is refused with a place.
+//! Points that coincide become one; triangles that join a point to itself are dropped; slivers without height
+//! are turned into parts of their neighbours; and what is oriented against the rest is turned round. Edges
+//! without two triangles are mended where one answer is safe (`mend`). A surface that cannot be, or that goes
+//! through itself, is refused with a place.
 
 mod crossing;
 mod defect;
@@ -19,9 +20,11 @@ use super::hierarchy::bounds;
 use super::{MassProperties, Mesh, Polyhedron};
 use glam::DVec3;
 
-/// Distances below which points are the same, over the size of the body: rounding, and that of the single precision of STL.
+/// Distances below which points are the same, over the size of the body: rounding, and that of the single
+/// precision of STL.
 const SAME: [f64; 2] = [1e-9, 1e-6];
-/// Depth over the size of the body up to which parts may touch or overlap: what the single precision of STL leaves open.
+/// Depth over the size of the body up to which parts may touch or overlap: what the single precision of STL
+/// leaves open.
 const TOUCHING: f64 = 1e-6;
 /// Volume over that of the bounding box below which there is none.
 const NO_VOLUME: f64 = 1e-9;

@@ -8,7 +8,8 @@ use super::{
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// A profile revolved about an axis of the body frame. Its u is the distance from the axis, its v the coordinate along it.
+/// A profile revolved about an axis of the body frame. Its u is the distance from the axis, its v the
+/// coordinate along it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Revolved {
     profile: Profile,
@@ -94,8 +95,9 @@ impl Revolved {
         [inset(0), 1.0 - inset(1)]
     }
 
-    /// Portion of its area that an edge keeps, in a direction round the axis: an arc that rounds a corner within the inset is part
-    /// of the corner, and one with twice the inset, about a cell, for its radius is a surface of its own.
+    /// Portion of its area that an edge keeps, in a direction round the axis: an arc that rounds a corner
+    /// within the inset is part of the corner, and one with twice the inset, about a cell, for its radius is
+    /// a surface of its own.
     fn share(&self, rows: &Rows, direction: [f64; 2]) -> f64 {
         rows.edge.rounding().map_or(1.0, |(radius, _)| {
             let inset = (rows.inset * self.turned(rows.edge.tangent(0.5), direction)).length();
@@ -115,7 +117,8 @@ struct Rows {
     spacing: f64,
     /// Number of rows.
     count: f64,
-    /// Fractions of the edge's length between which they lie, in the direction in which most of the edge is left.
+    /// Fractions of the edge's length between which they lie, in the direction in which most of the edge is
+    /// left.
     ends: [f64; 2],
 }
 
@@ -150,7 +153,8 @@ impl Shape for Revolved {
         }
     }
 
-    /// Rings round the axis, each of which represents the exact area of its zone. Symmetric in the planes through the axis.
+    /// Rings round the axis, each of which represents the exact area of its zone. Symmetric in the planes
+    /// through the axis.
     fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
         let (edges, is_half) = self.laid_out();
         let mut points = Vec::new();

@@ -1,8 +1,9 @@
-//! The rim of a body: its surface as seen along the axle, in bins along the outline. What faces along the axle instead are its
-//! flanks.
+//! The rim of a body: its surface as seen along the axle, in bins along the outline. What faces along the
+//! axle instead are its flanks.
 //!
-//! The outline is the circle of a shape that is symmetric about the axle, and the convex hull of any other. Arcs along it begin
-//! straight below the reference point and grow forwards (x) there, so that front, top and back follow.
+//! The outline is the circle of a shape that is symmetric about the axle, and the convex hull of any other.
+//! Arcs along it begin straight below the reference point and grow forwards (x) there, so that front, top and
+//! back follow.
 
 use super::{Shape, divisions};
 use glam::{DVec2, DVec3};
@@ -42,8 +43,8 @@ enum Outline {
 }
 
 impl Rim {
-    /// The rim of a shape in bins that are at most `width` [m] wide, unless there would be more than 360 of them. No bin extends
-    /// round a corner or over straight below.
+    /// The rim of a shape in bins that are at most `width` [m] wide, unless there would be more than 360 of
+    /// them. No bin extends round a corner or over straight below.
     #[must_use]
     pub fn of(shape: &dyn Shape, width: f64) -> Self {
         let outline = if shape.is_revolved() {
@@ -79,8 +80,8 @@ impl Rim {
         RimPoint { angle: polar_angle(at), arc, x: at.x, z: at.y }
     }
 
-    /// The bin of a point of the surface with this outward unit normal, in the body frame [m], and its arc [m]; none on a flank,
-    /// where the normal is nearer to the axle than to the plane across it.
+    /// The bin of a point of the surface with this outward unit normal, in the body frame [m], and its
+    /// arc [m]; none on a flank, where the normal is nearer to the axle than to the plane across it.
     #[must_use]
     pub fn bin_of(&self, position: DVec3, normal: DVec3) -> Option<(usize, f64)> {
         let (flat, across) = (DVec2::new(normal.x, normal.z), normal.y.abs());
@@ -142,7 +143,8 @@ struct Polygon {
     points: Vec<DVec2>,
     /// Distance of each from the first along the outline [m].
     along: Vec<f64>,
-    /// Distance along the outline of the point straight below the origin, or of the lowest one where there is none [m].
+    /// Distance along the outline of the point straight below the origin, or of the lowest one where there is
+    /// none [m].
     below: f64,
     length: f64,
 }
@@ -192,8 +194,9 @@ impl Polygon {
         from + (to - from).normalize_or_zero() * (along - self.along[n])
     }
 
-    /// Where the normal through a point of the surface leaves the outline; a point of the surface may lie deeper than the outline,
-    /// as on the round side of a cylinder whose axis lies across the axle. At a corner the normal decides.
+    /// Where the normal through a point of the surface leaves the outline; a point of the surface may lie
+    /// deeper than the outline, as on the round side of a cylinder whose axis lies across the axle. At a
+    /// corner the normal decides.
     fn arc_of(&self, at: DVec2, normal: DVec2) -> f64 {
         /// Least cosine between the normals of the surface and of a side on which it may lie.
         const ALIKE: f64 = 0.1;

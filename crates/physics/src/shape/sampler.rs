@@ -1,8 +1,9 @@
 //! Contact points of any shape, from its mesh and its signed distance.
 //!
-//! The triangles are cut into small pieces. In every facet, the part of the surface between two sharp edges, the pieces that lie
-//! in the same square of a lattice become one point; pieces next to sharp convex edges are left out. The signed distance puts
-//! the point onto the surface where that is curved, so that the mesh need not be fine, and a fine mesh means no more points.
+//! The triangles are cut into small pieces. In every facet, the part of the surface between two sharp edges,
+//! the pieces that lie in the same square of a lattice become one point; pieces next to sharp convex edges
+//! are left out. The signed distance puts the point onto the surface where that is curved, so that the mesh
+//! need not be fine, and a fine mesh means no more points.
 
 use super::facets::{Facets, normals};
 use super::mesh::Mesh;
@@ -13,10 +14,11 @@ use std::collections::HashMap;
 
 /// Side of the pieces over the spacing of the points.
 const PIECE: f64 = 0.5;
-/// Pieces of thin triangles up to which each of them is looked at (chosen: a tenth of a second). A fan of triangles as long as the
-/// body has many more, of no area.
+/// Pieces of thin triangles up to which each of them is looked at (chosen: a tenth of a second). A fan of
+/// triangles as long as the body has many more, of no area.
 const MOST_PIECES: f64 = 1e7;
-/// Pieces to a square of the spacing where there are more, spread evenly: the area of a point is right to about a per cent.
+/// Pieces to a square of the spacing where there are more, spread evenly: the area of a point is right to
+/// about a per cent.
 const PIECES_TO_A_SQUARE: f64 = 64.0;
 /// Points and triangles, spread over the surface, that are asked whether it is mirrored.
 const MOST_PROBES: usize = 100_000;
@@ -35,8 +37,8 @@ impl Plan {
     }
 }
 
-/// Contact points about `spacing` [m] apart, with an `inset` [m] along x, y, z from sharp convex edges, of a shape with a `mesh`
-/// and a signed distance [m].
+/// Contact points about `spacing` [m] apart, with an `inset` [m] along x, y, z from sharp convex edges, of a
+/// shape with a `mesh` and a signed distance [m].
 pub(super) fn sample(
     mesh: &Mesh,
     distance: impl Fn(DVec3) -> f64,
@@ -153,8 +155,8 @@ impl Pieces {
         }
     }
 
-    /// Pieces of equal area at places that, from one triangle to the next, lie evenly between its corners (Roberts 2018, the R₂
-    /// sequence).
+    /// Pieces of equal area at places that, from one triangle to the next, lie evenly between its corners
+    /// (Roberts 2018, the R₂ sequence).
     fn spread_over(&mut self, [a, b, c]: [DVec3; 3], count: f64, each: &mut impl FnMut(DVec3, f64)) {
         const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
         let area = 0.5 * area_vector(&[a, b, c]).length() / count;
@@ -291,7 +293,8 @@ struct Edges<'a> {
     width: f64,
     /// Numbers of the edges of a facet in each bucket.
     within: HashMap<Bucket, Vec<u32>>,
-    /// Place in `lists` of the edges in a bucket and the ones next to it, of those that were asked for; the last of them.
+    /// Place in `lists` of the edges in a bucket and the ones next to it, of those that were asked for; the
+    /// last of them.
     near: HashMap<Bucket, usize>,
     lists: Vec<Vec<u32>>,
     last: Option<(Bucket, usize)>,
@@ -301,7 +304,8 @@ impl<'a> Edges<'a> {
     fn new(facets: &'a Facets, inset: DVec3, spacing: f64) -> Self {
         let fade = PIECE * spacing;
         let reach = inset.max_element() + fade;
-        // Steps of half the reach: whatever lies within reach of an edge is in a bucket next to that of a step.
+        // Steps of half the reach: whatever lies within reach of an edge is in a bucket next to that of a
+        // step.
         let width = 1.5 * reach;
         let mut within: HashMap<Bucket, Vec<u32>> = HashMap::new();
         let all = if inset == DVec3::ZERO { &[][..] } else { &facets.convex };
@@ -411,7 +415,8 @@ mod tests {
     #[test]
     fn an_inset_leaves_out_what_the_shapes_themselves_leave_out() {
         for shape in shapes() {
-            // Where the inset differs from axis to axis, that from a round edge is approximated: 2.1 % apart on the disc.
+            // Where the inset differs from axis to axis, that from a round edge is approximated: 2.1 % apart
+            // on the disc.
             for (inset, tolerance) in [(DVec3::splat(0.008), 0.02), (DVec3::new(0.004, 0.008, 0.012), 0.03)] {
                 let area = |points: &[SurfacePoint]| points.iter().map(|p| p.area).sum::<f64>();
                 let own = shape.surface_points(DVec3::splat(0.004), inset);

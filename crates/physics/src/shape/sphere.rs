@@ -40,7 +40,8 @@ impl Shape for Sphere {
         MassProperties::principal(PI / 6.0 * self.diameter.powi(3), inertia)
     }
 
-    /// Rings of equal width between the poles on the z axis; the points of a ring share the exact area of its zone.
+    /// Rings of equal width between the poles on the z axis; the points of a ring share the exact area of its
+    /// zone.
     fn surface_points(&self, spacing: DVec3, _inset: DVec3) -> Vec<SurfacePoint> {
         let (radius, spacing) = (self.radius(), spacing.min_element());
         let rings = self.rings(spacing);

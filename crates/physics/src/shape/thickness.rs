@@ -1,8 +1,9 @@
 //! How thin a solid is where it is thinnest: walls, fins, tines, grousers.
 //!
-//! From points spread over the surface a ray goes inwards to the face on the other side. Where that is parallel, the solid is a sheet
-//! there. Edges and tips, whose faces are not parallel, are no walls; nor is what stands out by less than half a cell from something
-//! thicker: the solid there is what the sphere that fits into it says (Hildebrand & Rüegsegger 1997, local thickness).
+//! From points spread over the surface a ray goes inwards to the face on the other side. Where that is
+//! parallel, the solid is a sheet there. Edges and tips, whose faces are not parallel, are no walls; nor is
+//! what stands out by less than half a cell from something thicker: the solid there is what the sphere that
+//! fits into it says (Hildebrand & Rüegsegger 1997, local thickness).
 
 use super::polyhedron::Polyhedron;
 use super::triangle::{area_vector, meets};
@@ -32,10 +33,11 @@ pub struct ThinSearch<'a> {
     pub fewer_than: f64,
 }
 
-/// Cosine beyond which two faces are parallel: 10°. The faces of a wedge, an edge or a cone of more are not (chosen: less than a usual
-/// point, more than the draft of a casting).
+/// Cosine beyond which two faces are parallel: 10°. The faces of a wedge, an edge or a cone of more are not
+/// (chosen: less than a usual point, more than the draft of a casting).
 const PARALLEL: f64 = 0.985;
-/// Area of thin places that counts, over the square of a cell, and how many of them (chosen: a bolt's head or a bead is no wall).
+/// Area of thin places that counts, over the square of a cell, and how many of them (chosen: a bolt's head or
+/// a bead is no wall).
 const LEAST_AREA: f64 = 1.0;
 const LEAST_PLACES: usize = 3;
 /// Distance between the rays over the width of a cell, and most rays.
@@ -43,7 +45,8 @@ const SPACING: f64 = 0.5;
 const MOST_RAYS: f64 = 50_000.0;
 /// Most places that are compared with what is thicker near them.
 const MOST_COMPARED: usize = 3000;
-/// Thickness over that of a place beyond which something near it is thicker (chosen: more than where two walls meet).
+/// Thickness over that of a place beyond which something near it is thicker (chosen: more than where two
+/// walls meet).
 const THICKER: f64 = 1.5;
 /// Distance over the width of a cell up to which something is near.
 const NEAR: f64 = 0.5;
@@ -83,7 +86,8 @@ impl Polyhedron {
         None
     }
 
-    /// Distance from a point of the surface, whose normal is given, to the face on the other side [m], if that is parallel.
+    /// Distance from a point of the surface, whose normal is given, to the face on the other side [m], if
+    /// that is parallel.
     fn across(&self, (place, normal): (DVec3, DVec3), rounding: f64) -> Option<f64> {
         let corners = &self.hierarchy().corners;
         let mut nearest = (f64::INFINITY, 0);

@@ -13,7 +13,8 @@ pub(super) enum Feature {
     Face,
 }
 
-/// The nearest point of a triangle, and on what of it it lies (Ericson 2004, Real-Time Collision Detection, 5.1.5).
+/// The nearest point of a triangle, and on what of it it lies (Ericson 2004, Real-Time Collision Detection,
+/// 5.1.5).
 pub(super) fn nearest(x: DVec3, [a, b, c]: &[DVec3; 3]) -> (DVec3, Feature) {
     let (ab, ac, ax) = (*b - *a, *c - *a, x - *a);
     let (d1, d2) = (ab.dot(ax), ac.dot(ax));
@@ -51,7 +52,8 @@ pub(super) fn area_vector([a, b, c]: &[DVec3; 3]) -> DVec3 {
     (*b - *a).cross(*c - *a)
 }
 
-/// Where the line from a point along a direction meets a triangle, in lengths of the direction (Möller & Trumbore 1997).
+/// Where the line from a point along a direction meets a triangle, in lengths of the direction (Möller &
+/// Trumbore 1997).
 pub(super) fn meets(from: DVec3, direction: DVec3, [a, b, c]: &[DVec3; 3]) -> Option<f64> {
     let (ab, ac) = (*b - *a, *c - *a);
     let across = direction.cross(ac);

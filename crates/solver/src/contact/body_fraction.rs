@@ -12,10 +12,12 @@ use glam::DVec3;
 use physics::shape::Shape;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Layers above the highest soil of which bodies are known: the contact search looks two cells away from a point's own.
+/// Layers above the highest soil of which bodies are known: the contact search looks two cells away from a
+/// point's own.
 const LAYERS_ABOVE_SOIL: usize = 3;
 
-/// Updates the body volume fractions of all cells near the soil, in scratch memory that is unused until the contact search.
+/// Updates the body volume fractions of all cells near the soil, in scratch memory that is unused until the
+/// contact search.
 pub(crate) fn find_bodies<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -64,7 +66,8 @@ pub(crate) struct BodyCell {
     pub(crate) fraction: f64,
 }
 
-/// Volume fraction of bodies from which on they fill a cell: it has no space for soil to flow or to be compressed into (chosen).
+/// Volume fraction of bodies from which on they fill a cell: it has no space for soil to flow or to be
+/// compressed into (chosen).
 pub(super) const FILLED: f64 = 0.95;
 
 /// The cells that bodies filled at the last contact search, in the order of the memory.
@@ -88,12 +91,14 @@ pub(super) fn by_cell(body_cells: &[BodyCell]) -> BTreeMap<usize, (f64, &BodyCel
 fn top_of_soil<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
     let mut planes = soil.fraction.chunks_exact(grid.stride[2]);
     let highest = planes.rposition(|plane| plane.iter().any(|f| *f > R::default())).unwrap_or(0);
-    // Plane 0 is a layer of ghosts below the cells, so that the number of the plane is that of the face above.
+    // Plane 0 is a layer of ghosts below the cells, so that the number of the plane is that of the face
+    // above.
     let faces = &grid.faces[2];
     faces[(highest + LAYERS_ABOVE_SOIL).min(faces.len() - 1)]
 }
 
-/// Those of some cells that a body occupies, wholly or in part: their indices in memory, and the volume fractions of the body.
+/// Those of some cells that a body occupies, wholly or in part: their indices in memory, and the volume
+/// fractions of the body.
 fn occupied<'a>(
     model: &'a Model,
     fixed: &'a BodyModel,
@@ -136,12 +141,13 @@ fn cells_in(grid: &Grid, (low, high): (DVec3, DVec3)) -> impl Iterator<Item = [u
     })
 }
 
-/// Compression of the soil in a cut cell up to which overlap is no leak: as the body moves on it is compressed by so much before the next
-/// remap (chosen: two random cases on four and six cells with 2.5 and 3.0 % of the embedded volume in such overlaps were within 13 % of cells half as wide).
+/// Compression of the soil in a cut cell up to which overlap is no leak: as the body moves on it is
+/// compressed by so much before the next remap (chosen: two random cases on four and six cells with 2.5 and
+/// 3.0 % of the embedded volume in such overlaps were within 13 % of cells half as wide).
 const PENDING: f64 = 0.1;
 
-/// Measures the embedded volume of each body, and the leak into it: the volume of soil in the cells that bodies fill, and of what finds no
-/// space in those that they cut [m³].
+/// Measures the embedded volume of each body, and the leak into it: the volume of soil in the cells that
+/// bodies fill, and of what finds no space in those that they cut [m³].
 pub(super) fn measure_bodies<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -183,8 +189,8 @@ fn local_rise(model: &Model, grid: &Grid, [i, j, _]: [usize; 3], position: DVec3
     model.ground.relief.at([middle(0, i), middle(1, j)])
 }
 
-/// Fraction of a cell that a shape covers, from 4³ samples; samples near the surface are weighted. `own` takes a position to the
-/// frame of the shape.
+/// Fraction of a cell that a shape covers, from 4³ samples; samples near the surface are weighted. `own`
+/// takes a position to the frame of the shape.
 fn covered(grid: &Grid, cell: [usize; 3], shape: &dyn Shape, own: impl Fn(DVec3) -> DVec3) -> f64 {
     const SAMPLES: usize = 4;
     // Positions are interpolated from both faces and layers in y summed in pairs, so that mirroring in y

@@ -1,8 +1,8 @@
 //! Remnants of soil in cells that bodies fill: they are carried along.
 //!
-//! A body that moves on leaves a little soil in the cells that it comes to fill. The nodes round it have no other soil, and nothing but the
-//! stress of the remnant would resist the pressure of contact, which would drive them on for ever. They move with the body instead, and
-//! contact does not act on them.
+//! A body that moves on leaves a little soil in the cells that it comes to fill. The nodes round it have no
+//! other soil, and nothing but the stress of the remnant would resist the pressure of contact, which would
+//! drive them on for ever. They move with the body instead, and contact does not act on them.
 
 use super::body_fraction::{BodyCell, FILLED, by_cell};
 use super::problem::corners;
@@ -14,8 +14,8 @@ use crate::state::State;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Mass of a node over that of one in the midst of soil up to which it belongs to a remnant (chosen: twice what cells that are just filled
-/// have space for).
+/// Mass of a node over that of one in the midst of soil up to which it belongs to a remnant (chosen: twice
+/// what cells that are just filled have space for).
 pub(super) const REMNANT: f64 = 0.1;
 
 /// Whether all soil round a node lies in cells that bodies fill.

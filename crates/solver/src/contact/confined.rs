@@ -1,9 +1,11 @@
 //! Soil that overlaps a body and finds no space beside it: it is compressed into the space that its cell has.
 //!
-//! The nodal velocities cannot follow an edge or a tip within a cell, so that remaps carry soil to where the body is. Overlap removal moves
-//! it to space near by. Where soil is confined there is none: what is left means that the soil of the cell has been compressed by more than
-//! its nodes know. It is strained by the rest, evenly over some travel of the body; its pressure rises, presses on the body, and drives the soil out of
-//! the cell. It would also drive it on into the body: no remap carries soil into cells that a body fills.
+//! The nodal velocities cannot follow an edge or a tip within a cell, so that remaps carry soil to where the
+//! body is. Overlap removal moves it to space near by. Where soil is confined there is none: what is left
+//! means that the soil of the cell has been compressed by more than its nodes know. It is strained by the
+//! rest, evenly over some travel of the body; its pressure rises, presses on the body, and drives the soil
+//! out of the cell. It would also drive it on into the body: no remap carries soil into cells that a body
+//! fills.
 
 use super::body_fraction::{BodyCell, FILLED, by_cell};
 use crate::exact_sum::ExactSum;
@@ -14,7 +16,8 @@ use crate::scalar::Scalar;
 use crate::state::{Soil, State};
 use glam::DVec3;
 
-/// Travel of the body, in cell widths, within which confined soil is compressed (chosen: that between two remaps).
+/// Travel of the body, in cell widths, within which confined soil is compressed (chosen: that between two
+/// remaps).
 const PRESSED_WITHIN: f64 = 0.1;
 
 /// A cell with confined soil.
@@ -90,8 +93,8 @@ pub(crate) fn press<R: Scalar>(model: &Model, state: &mut State<R>, confined: &[
     pressed
 }
 
-/// Work done by it on the soil of the block's own cells [J], once this has been strained: with the mean of the pressures before and after the step,
-/// as nodal forces do theirs.
+/// Work done by it on the soil of the block's own cells [J], once this has been strained: with the mean of
+/// the pressures before and after the step, as nodal forces do theirs.
 pub(crate) fn work<R: Scalar>(model: &Model, soil: &Soil<R>, pressed: &[Pressed]) -> ExactSum {
     let (grid, mut work) = (&model.grid, ExactSum::default());
     for own in pressed.iter().filter(|own| grid.owns(grid.in_whole(grid.layers_of(own.cell)))) {

@@ -1,11 +1,13 @@
-//! Contact constraints: one for each quarter of a cell that a body's face crosses, one for the whole cell at the face's edges.
+//! Contact constraints: one for each quarter of a cell that a body's face crosses, one for the whole cell at
+//! the face's edges.
 //!
-//! A constraint's contact points are the quadrature points of the face. The area-weighted mean of their shape functions gives
-//! the mean soil velocity over its part of the face; an impulse on the constraint acts there like a uniform pressure.
+//! A constraint's contact points are the quadrature points of the face. The area-weighted mean of their shape
+//! functions gives the mean soil velocity over its part of the face; an impulse on the constraint acts there
+//! like a uniform pressure.
 //!
-//! A single constraint for a cell does not see velocities that alternate from node to node along the face. The soil below
-//! resists them, but little where it yields, and the less the flatter the cells are. At an edge quarters would hold nodes
-//! beyond the face.
+//! A single constraint for a cell does not see velocities that alternate from node to node along the face.
+//! The soil below resists them, but little where it yields, and the less the flatter the cells are. At an
+//! edge quarters would hold nodes beyond the face.
 
 use super::constraint_points::ConstraintPoints;
 use super::cut_cell::{self, Sampled};
@@ -64,7 +66,8 @@ impl Sums {
 impl Constraint {
     /// The constraint with this number, of those of its points that are active.
     pub(super) fn of(problem: &ContactProblem, number: usize, is_active: impl Fn(usize) -> bool) -> Self {
-        // Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
+        // Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y
+        // changes no bit.
         let (mut first, mut sums) = (None, [Sums::default(); 3]);
         for n in problem.constraint_points.of(number).filter(|n| is_active(*n)) {
             first.get_or_insert(n);
@@ -86,8 +89,9 @@ impl Constraint {
     }
 }
 
-/// Numbers the constraints (by body, face and quarter of a cell), in the order of their first contact points, and finds for each its
-/// cut-cell hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
+/// Numbers the constraints (by body, face and quarter of a cell), in the order of their first contact points,
+/// and finds for each its cut-cell hourglass correction; `fraction` is the volume fraction in the cell of
+/// each contact point.
 pub(crate) fn number<R>(
     model: &Model,
     State { bodies, grid_position, contacts, .. }: &State<R>,

@@ -76,7 +76,8 @@ pub(super) struct Sampled<'a> {
     pub(super) surfaces: &'a CellSurfaces,
 }
 
-/// For each constraint, given by its first contact point, the correction at the eight nodes of its cell per unit normal force.
+/// For each constraint, given by its first contact point, the correction at the eight nodes of its cell per
+/// unit normal force.
 pub(super) fn corrections(
     model: &Model,
     bodies: &[Body],
@@ -89,8 +90,8 @@ pub(super) fn corrections(
     let correction = |n: &usize| {
         let (c, none) = (&contacts[*n], [DVec3::ZERO; 8]);
         let surface = &surfaces[&(c.body, c.cell)];
-        // A face aligned with the grid cuts all cells alike: the corrections cancel, except at its edges. There the inset
-        // of the contact points has this effect already.
+        // A face aligned with the grid cuts all cells alike: the corrections cancel, except at its edges.
+        // There the inset of the contact points has this effect already.
         if is_aligned(c.normal) || !surface.is_whole() {
             return none;
         }
@@ -103,7 +104,8 @@ pub(super) fn corrections(
     each.into_iter().flatten().collect()
 }
 
-/// Whether a face with this normal is parallel to faces of the cells; on a body that is turned by 90° but for round-off.
+/// Whether a face with this normal is parallel to faces of the cells; on a body that is turned by 90° but for
+/// round-off.
 pub(super) fn is_aligned(normal: DVec3) -> bool {
     normal.abs().max_element() >= 1.0 - 4.0 * f64::EPSILON
 }
@@ -154,8 +156,9 @@ impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
         (0.5 - (self.distance)(x) / self.sample).clamp(0.0, 1.0)
     }
 
-    /// Area of the body's surface with this normal in the cell [m²]: of a face that is parallel to faces of the cell that of the
-    /// whole cell, otherwise the magnitude of the area vector, from the areas of the cell's faces inside the body.
+    /// Area of the body's surface with this normal in the cell [m²]: of a face that is parallel to faces of
+    /// the cell that of the whole cell, otherwise the magnitude of the area vector, from the areas of the
+    /// cell's faces inside the body.
     fn area(&self, normal: DVec3) -> f64 {
         if is_aligned(normal) {
             return (DVec3::splat(self.width.element_product()) / self.width).dot(normal.abs());

@@ -18,8 +18,8 @@ pub(super) struct EffectiveMass {
 }
 
 impl EffectiveMass {
-    /// Of a constraint with this point among its active ones. `None` where neither soil nor body can move along the normal: there is
-    /// nothing to solve for.
+    /// Of a constraint with this point among its active ones. `None` where neither soil nor body can move
+    /// along the normal: there is nothing to solve for.
     pub(super) fn new(problem: &ContactProblem, constraint: &Constraint, point: usize) -> Option<Self> {
         let (jacobian, normal) = (&constraint.jacobian, constraint.jacobian.normal);
         let delassus_diagonal = delassus_diagonal(problem, jacobian);
@@ -38,8 +38,8 @@ impl EffectiveMass {
         })
     }
 
-    /// The impulse on a constraint with this normal and impulse after one relaxation from this relative velocity, projected on the
-    /// Coulomb cone.
+    /// The impulse on a constraint with this normal and impulse after one relaxation from this relative
+    /// velocity, projected on the Coulomb cone.
     #[inline]
     pub(super) fn projected_impulse(
         &self,
@@ -50,8 +50,8 @@ impl EffectiveMass {
         let closing = relative.dot(along);
         let old_normal = impulse.dot(along);
         let new_normal = (old_normal + relaxation * closing * self.normal_mass).max(0.0);
-        // Several constraints share the pressure on a face as they like: where friction does not depend on it, those without pressure
-        // bear their share of friction all the same.
+        // Several constraints share the pressure on a face as they like: where friction does not depend on
+        // it, those without pressure bear their share of friction all the same.
         let sticks = self.friction.is_infinite() && self.shear_limit.is_finite();
         if !sticks && new_normal == 0.0 && old_normal == 0.0 {
             return DVec3::ZERO;

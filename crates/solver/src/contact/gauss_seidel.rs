@@ -1,7 +1,8 @@
 //! Symmetric projected Gauss–Seidel sweeps over the constraints of an island.
 //!
-//! The order of the constraints is part of the result: each meets the velocities that the ones before have left. An island's nodes,
-//! bodies and constraints are therefore copied into little memory before the sweeps, and back afterwards.
+//! The order of the constraints is part of the result: each meets the velocities that the ones before have
+//! left. An island's nodes, bodies and constraints are therefore copied into little memory before the sweeps,
+//! and back afterwards.
 
 use super::constraint::Constraint;
 use super::effective_mass::{EffectiveMass, coupling};
@@ -92,7 +93,8 @@ struct SweptConstraint {
 }
 
 impl SweptConstraint {
-    /// Relative velocity [m/s], including the cut-cell correction, so that it is work-conjugate to the impulse.
+    /// Relative velocity [m/s], including the cut-cell correction, so that it is work-conjugate to the
+    /// impulse.
     #[inline]
     fn slip_velocity(&self, nodes: &[SweptNode], body: &StruckBody) -> DVec3 {
         let (mut soil, mut corrected) = ([Lanes::default(); 8], [0.0; 8]);
@@ -155,7 +157,8 @@ pub(super) struct SweptIsland {
 pub(super) type Prepared = (Constraint, Option<EffectiveMass>);
 
 impl SweptIsland {
-    /// Copies an island: the constraints of this order that lie in it. Their impulses of the last step are applied.
+    /// Copies an island: the constraints of this order that lie in it. Their impulses of the last step are
+    /// applied.
     pub(super) fn begin(
         &mut self,
         problem: &ContactProblem,

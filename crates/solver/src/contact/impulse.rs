@@ -40,15 +40,15 @@ const SWEEPS: usize = 4;
 /// Separation threshold: an active point of a curved or inclined face opens when the volume fractions show a
 /// gap of this many cells. With a larger one a rolling wheel opens a void under itself and climbs on it.
 const SEPARATION: f64 = 0.05;
-/// Separation threshold [cells] on a face that is aligned with the grid. The edges of a sliding face cut cells, in which volume
-/// fractions are a poor measure of the gap: with the smaller threshold the force on a sliding footing is 7 %
-/// too low.
+/// Separation threshold [cells] on a face that is aligned with the grid. The edges of a sliding face cut
+/// cells, in which volume fractions are a poor measure of the gap: with the smaller threshold the force on a
+/// sliding footing is 7 % too low.
 const SEPARATION_FLAT: f64 = 0.5;
 /// Gap relaxation: fraction of the difference to the geometric gap that an open point takes over per tenth of
 /// a cell of travel.
 const GAP_RELAXATION: f64 = 0.3;
-/// Gaps that are less, in cells, are round-off of volume fractions that fill a cell, and closed: it must not decide which points of
-/// a body act that starts in the soil.
+/// Gaps that are less, in cells, are round-off of volume fractions that fill a cell, and closed: it must not
+/// decide which points of a body act that starts in the soil.
 const ROUND_OFF: f64 = 1e-12;
 /// Points with a larger gap, in cells, cannot close within a step.
 const REACH: f64 = 0.05;
@@ -162,7 +162,8 @@ fn is_closed(c: &Contact) -> bool {
     c.penetration >= -ROUND_OFF * c.width
 }
 
-/// Gives a point its portion of its constraint's impulse, if it has one. Returns its normal and frictional portions [N s].
+/// Gives a point its portion of its constraint's impulse, if it has one. Returns its normal and frictional
+/// portions [N s].
 fn take_portion(c: &mut Contact, constraint: Option<&Constraint>) -> [DVec3; 2] {
     c.impulse = constraint.map_or(DVec3::ZERO, |p| (c.area / p.area) * p.impulse);
     constraint.map_or([DVec3::ZERO; 2], |p| {

@@ -1,5 +1,5 @@
-//! Islands: bodies that share contact nodes. What happens at the contact points of one island within a step does not depend on the
-//! others, so that threads can work on several at once.
+//! Islands: bodies that share contact nodes. What happens at the contact points of one island within a step
+//! does not depend on the others, so that threads can work on several at once.
 
 use crate::state::Contact;
 

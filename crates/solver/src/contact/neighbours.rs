@@ -4,8 +4,8 @@ use crate::model::{BodyModel, Model};
 use crate::state::{Pose, State};
 use glam::DVec3;
 
-/// How far a point is moved along its normal before it counts as covered, in cell widths: a face that two bodies share lies on the
-/// surface of both.
+/// How far a point is moved along its normal before it counts as covered, in cell widths: a face that two
+/// bodies share lies on the surface of both.
 const BEYOND: f64 = 1e-6;
 
 /// The bodies near to one body.

@@ -4,8 +4,8 @@
 //! and is dragged along on the outer: soil enters the body, and a void opens next to it. After a remap, soil
 //! that overlaps a body (volume fractions of soil and bodies add up to more than 1) moves to neighbouring
 //! cells that hold soil and have space, with its mass, momentum, stress and history. Soil for which there is
-//! no space stays, unless a body fills its cell: there it cannot be compressed (see [`super::confined`]), and is pressed into the soil
-//! beside the body, a little at a time.
+//! no space stays, unless a body fills its cell: there it cannot be compressed (see [`super::confined`]), and
+//! is pressed into the soil beside the body, a little at a time.
 //!
 //! All sums over neighbours are taken in an order for which mirroring in y changes no bit.
 

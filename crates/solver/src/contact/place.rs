@@ -28,7 +28,8 @@ pub(super) fn trilinear(along: &[[f64; 2]; 3]) -> [f64; 8] {
     std::array::from_fn(|n| along[0][n & 1] * along[1][n >> 1 & 1] * along[2][n >> 2 & 1])
 }
 
-/// Where a point of a surface lies, from its position in the grid, its lever arm and its normal; `None` outside the block.
+/// Where a point of a surface lies, from its position in the grid, its lever arm and its normal; `None`
+/// outside the block.
 pub(super) fn place(grid: &Grid, in_grid: DVec3, (arm, normal): (DVec3, DVec3)) -> Option<Place> {
     // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer
     // to the body's centre, so that mirror images belong to mirror images of cells.
@@ -39,7 +40,8 @@ pub(super) fn place(grid: &Grid, in_grid: DVec3, (arm, normal): (DVec3, DVec3)) 
     grid.owns(whole).then(|| Place { cell, whole, probe, along: linear(grid, cell, in_grid) })
 }
 
-/// Linear shape functions of the low and the high node along each axis, each from the opposite face: mirroring in y only swaps them.
+/// Linear shape functions of the low and the high node along each axis, each from the opposite face:
+/// mirroring in y only swaps them.
 fn linear(grid: &Grid, cell: [usize; 3], position: DVec3) -> [[f64; 2]; 3] {
     std::array::from_fn(|axis| {
         let (faces, n) = (&grid.faces[axis], cell[axis]);

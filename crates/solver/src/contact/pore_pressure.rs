@@ -1,5 +1,5 @@
-//! The pore pressure at the contact points. Contact impulses are those of soil and water together; friction and the limit of
-//! separation are those of the grains, to which the pressure of the water adds nothing.
+//! The pore pressure at the contact points. Contact impulses are those of soil and water together; friction
+//! and the limit of separation are those of the grains, to which the pressure of the water adds nothing.
 
 use super::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
@@ -9,8 +9,8 @@ use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::{Contact, State};
 
-/// Finds the cell whose pore pressure acts at each contact point: its own, or the next one along the normal where its own has none.
-/// Where a cut lies between the two, both blocks must know.
+/// Finds the cell whose pore pressure acts at each contact point: its own, or the next one along the normal
+/// where its own has none. Where a cut lies between the two, both blocks must know.
 pub(crate) fn find_pressure_cells<R: Scalar>(
     model: &Model,
     state: &State<R>,
@@ -32,7 +32,8 @@ fn cell_of(model: &Model, seepage: &SeepageWorkspace, c: &Contact) -> Option<usi
     [own, next].into_iter().find(|cell| seepage.is_saturated(*cell))
 }
 
-/// Reads the pore pressures that act at the contact points in this step [Pa]; none where no pore pressure is computed.
+/// Reads the pore pressures that act at the contact points in this step [Pa]; none where no pore pressure is
+/// computed.
 pub(super) fn read_pressures<R: Scalar>(
     model: &Model,
     state: &State<R>,

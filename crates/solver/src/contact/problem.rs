@@ -131,8 +131,8 @@ impl ContactProblem<'_> {
         self.moving.apply(jacobian.body, jacobian.arm, -impulse);
     }
 
-    /// Exerts the pore pressures on soil and bodies at the contact points. What the contact law adds is between the grains and the
-    /// body.
+    /// Exerts the pore pressures on soil and bodies at the contact points. What the contact law adds is
+    /// between the grains and the body.
     pub(crate) fn press_water(&mut self) {
         for n in 0..self.pore_pressures.len() {
             let impulse = self.water_impulse(n);
@@ -161,14 +161,15 @@ impl ContactProblem<'_> {
         self.pore_pressures[contact] * c.area * self.dt * c.normal
     }
 
-    /// Rate at which a gap between soil and body grows at a contact point, times its area [m³/s]: water must fill it. What removes an
-    /// overlap opens no gap.
+    /// Rate at which a gap between soil and body grows at a contact point, times its area [m³/s]: water must
+    /// fill it. What removes an overlap opens no gap.
     pub(crate) fn opening(&self, contact: usize) -> f64 {
         let c = &self.contacts[contact];
         if c.penetration < 0.0 { -self.slip_velocity_of(contact).dot(c.normal) * c.area } else { 0.0 }
     }
 
-    /// Adds the reactions to the impulses on the soil at the contact points to the contact impulses of the bodies.
+    /// Adds the reactions to the impulses on the soil at the contact points to the contact impulses of the
+    /// bodies.
     pub(crate) fn add_reactions(&mut self) {
         let Self { contacts, impulses, bodies, modelled_fraction, crew, .. } = self;
         let (contacts, impulses, modelled_fraction) = (&**contacts, &**impulses, *modelled_fraction);

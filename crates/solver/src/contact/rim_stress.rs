@@ -1,9 +1,11 @@
 //! Stress and slip along the rims, by way of the nodes.
 //!
-//! Contact points outnumber the nodes behind a face, and share its load as they like: in the middle of a footing that bears 5.1 kPa neighbouring
-//! ones bore 2 and 8 kPa. What the nodes bear is determined. So what acts at the points goes to the nodes with their weights, is divided by the area
-//! of the surface that each node stands for, and comes back to the surface by interpolation: to samples of all of it, up to its edges. Sums
-//! over a face stay the same. Which part of a node's sums falls to which bin of a rim stays the same until the next contact search.
+//! Contact points outnumber the nodes behind a face, and share its load as they like: in the middle of a
+//! footing that bears 5.1 kPa neighbouring ones bore 2 and 8 kPa. What the nodes bear is determined. So what
+//! acts at the points goes to the nodes with their weights, is divided by the area of the surface that each
+//! node stands for, and comes back to the surface by interpolation: to samples of all of it, up to its edges.
+//! Sums over a face stay the same. Which part of a node's sums falls to which bin of a rim stays the same
+//! until the next contact search.
 
 use super::nodes::corners_in_whole;
 use super::place::{place, trilinear};
@@ -15,7 +17,8 @@ use crate::model::Model;
 use crate::state::{Body, Contact, RimSums, State};
 use rustc_hash::FxHashMap;
 
-/// A node behind one face of a body: the body, the face's main axis and side, and the node's number in the whole grid.
+/// A node behind one face of a body: the body, the face's main axis and side, and the node's number in the
+/// whole grid.
 type Key = (u32, usize, bool, usize);
 
 /// Places of a cell's nodes among those behind the rims; `NONE` for a node that no contact point acts on.
@@ -74,7 +77,8 @@ impl RimStress {
         Self { of_contacts, shares, area, held, sums }
     }
 
-    /// Adds what acts at the contact points in a step to the sums over the rims: on the rims by way of the nodes, on the flanks as it is.
+    /// Adds what acts at the contact points in a step to the sums over the rims: on the rims by way of the
+    /// nodes, on the flanks as it is.
     pub(super) fn add(&mut self, contacts: &[Contact], bodies: &mut [Body], terms: &[SlipTerms]) {
         let Self { of_contacts, shares, area, held, sums } = self;
         sums.fill(RimSums::default());
@@ -110,8 +114,8 @@ impl RimStress {
     }
 }
 
-/// The parts of all rims that fall to the nodes that contact points act on, from samples of their surfaces in all blocks; each pair of a bin
-/// and a node once.
+/// The parts of all rims that fall to the nodes that contact points act on, from samples of their surfaces in
+/// all blocks; each pair of a bin and a node once.
 fn shares<R>(
     model: &Model,
     state: &State<R>,

@@ -19,7 +19,8 @@ use crate::state::{Contact, Pose, Soil, State};
 use glam::DVec3;
 use std::ops::Range;
 
-/// The first contact search of a run, which also computes the body volume fractions and begins the sums over the rims.
+/// The first contact search of a run, which also computes the body volume fractions and begins the sums over
+/// the rims.
 pub(crate) fn first_search<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -166,8 +167,9 @@ impl<R: Scalar> View<'_, R> {
         Some(contact)
     }
 
-    /// Weights of the cell's nodes from their shape functions, reduced at nodes with little mass, and the fraction of its area
-    /// that a point represents among such nodes: a few grains must not carry the whole contact pressure.
+    /// Weights of the cell's nodes from their shape functions, reduced at nodes with little mass, and the
+    /// fraction of its area that a point represents among such nodes: a few grains must not carry the whole
+    /// contact pressure.
     fn weights(&self, cell: [usize; 3], shape: [f64; 8]) -> Option<([f64; 8], f64)> {
         const MASS_RATIO: f64 = 2.5;
         let grid = &self.model.grid;
@@ -204,9 +206,10 @@ impl<R: Scalar> View<'_, R> {
         grid.smallest_width(widths) * grid.length_along(normal)
     }
 
-    /// Largest frictional traction of a body at a point in a cell [Pa]: a portion of the strength that the soil there has, however slowly
-    /// it is sheared, and at most all of it; infinite where that has no undrained strength. A cell without soil stands for the next one
-    /// along the normal; clay that is not there either has no strength.
+    /// Largest frictional traction of a body at a point in a cell [Pa]: a portion of the strength that the
+    /// soil there has, however slowly it is sheared, and at most all of it; infinite where that has no
+    /// undrained strength. A cell without soil stands for the next one along the normal; clay that is not
+    /// there either has no strength.
     fn shear_limit(&self, body: &BodyModel, cell: [usize; 3], normal: DVec3) -> f64 {
         let grid = &self.model.grid;
         let index = |[i, j, k]: [usize; 3]| grid.index(i, j, k);

@@ -1,4 +1,5 @@
-//! Slip of the bodies' surfaces along the soil in one step: frictional dissipation, and the sums over the bins of the rim.
+//! Slip of the bodies' surfaces along the soil in one step: frictional dissipation, and the sums over the
+//! bins of the rim.
 
 use super::problem::{POINTS_AT_ONCE, of_body};
 use super::slip_terms::{SlipTerms, Slipping};
@@ -9,8 +10,9 @@ use crate::state::{Contact, ContactImpulse, RimSums, State};
 use glam::DVec3;
 use mechanics::Step;
 
-/// Adds the contact impulses of the step and the slip to the sums over the rim. Returns the frictional dissipation [J]:
-/// frictional impulses times the mean of the slip velocities before and after the step, as for every other work.
+/// Adds the contact impulses of the step and the slip to the sums over the rim. Returns the frictional
+/// dissipation [J]: frictional impulses times the mean of the slip velocities before and after the step, as
+/// for every other work.
 pub(super) fn account_slip<R>(
     model: &Model,
     state: &mut State<R>,
@@ -66,7 +68,8 @@ pub(super) fn account_slip<R>(
     terms.iter().fold(0.0, |sum, terms| sum + terms.dissipation)
 }
 
-/// Mean of the relative velocity at a contact point before and after the step [m/s], from twice that of the contact nodes.
+/// Mean of the relative velocity at a contact point before and after the step [m/s], from twice that of the
+/// contact nodes.
 fn mean_slip(c: &Contact, twice: &[DVec3], corners: &[u32; 8], moving: &Step) -> DVec3 {
     let body = c.body as usize;
     let of_body = 0.5 * (moving.velocity_at(body, c.arm) + moving.twist_before(body).at(c.arm));
@@ -113,8 +116,8 @@ pub(super) fn clear_rims<R>(model: &Model, state: &mut State<R>, workspace: &Con
 }
 
 impl ContactImpulse {
-    /// Adds the impulses on the soil of one contact point in one step; `water` is the portion of the normal one that the pore water
-    /// exerts.
+    /// Adds the impulses on the soil of one contact point in one step; `water` is the portion of the normal
+    /// one that the pore water exerts.
     pub(super) fn add(
         &mut self,
         [normal, friction]: &[DVec3; 2],

@@ -44,8 +44,8 @@ impl Slipping<'_> {
     }
 }
 
-/// Directions along the surface: along the outline, along the axle, and along the axle away from the mid-plane. A flank has no
-/// outline.
+/// Directions along the surface: along the outline, along the axle, and along the axle away from the
+/// mid-plane. A flank has no outline.
 fn directions(c: &Contact, normal: DVec3, axle: DVec3) -> [DVec3; 3] {
     // That along which the pressure acts: of the constraint, where several points have one.
     let normal = if normal == DVec3::ZERO { c.normal } else { normal.normalize() };
@@ -56,8 +56,9 @@ fn directions(c: &Contact, normal: DVec3, axle: DVec3) -> [DVec3; 3] {
 }
 
 impl RimSums {
-    /// Adds the impulses on the soil of one contact point in one step, with that of the pore water along the normal [N s], the
-    /// friction coefficient, and the limit of the frictional impulse [N s]. Pore water may pull.
+    /// Adds the impulses on the soil of one contact point in one step, with that of the pore water along the
+    /// normal [N s], the friction coefficient, and the limit of the frictional impulse [N s]. Pore water may
+    /// pull.
     fn add_impulses(
         &mut self,
         c: &Contact,
@@ -72,7 +73,8 @@ impl RimSums {
         self.impulse -= *normal + *friction;
     }
 
-    /// Adds shear and slip of one contact point along these directions, with its area times the time step [m² s].
+    /// Adds shear and slip of one contact point along these directions, with its area times the time
+    /// step [m² s].
     fn add_slip(&mut self, impulses: &[DVec3; 2], slip: DVec3, contact: f64, directions: &[DVec3; 3]) {
         self.contact += contact;
         for (n, direction) in directions.iter().enumerate() {

@@ -24,8 +24,8 @@ pub(crate) struct ContactWork {
     pub(crate) water_work: f64,
 }
 
-/// Solves contact between soil and bodies for one step. The contact impulse on each body is added to its total; the grid still has the
-/// velocities without contact.
+/// Solves contact between soil and bodies for one step. The contact impulse on each body is added to its
+/// total; the grid still has the velocities without contact.
 pub(crate) fn solve<R: Scalar>(
     model: &Model,
     state: &mut State<R>,

@@ -10,8 +10,9 @@ use std::collections::BTreeMap;
 /// Surface points of a body. Normals and areas that several points have in common are stored once.
 #[derive(Debug)]
 pub(crate) struct Surface {
-    /// Position in the body frame [m]; index into `kinds`, with the highest bit set where the next point is the mirror image
-    /// in the body's mid-plane y = 0; and bin of the rim, or as many as there are bins on a flank.
+    /// Position in the body frame [m]; index into `kinds`, with the highest bit set where the next point is
+    /// the mirror image in the body's mid-plane y = 0; and bin of the rim, or as many as there are bins on a
+    /// flank.
     points: Vec<(DVec3, u32, u16)>,
     /// Normals; areas round the points, and what these represent [m²].
     kinds: Vec<(DVec3, [f64; 2])>,
@@ -26,8 +27,8 @@ pub(crate) struct Surface {
     parts: Vec<u16>,
 }
 
-/// Width of the bins of the rim, in cell widths (chosen: below a cell nothing is resolved, but a body that moves through the
-/// cells averages over them).
+/// Width of the bins of the rim, in cell widths (chosen: below a cell nothing is resolved, but a body that
+/// moves through the cells averages over them).
 const RIM_BIN: f64 = 0.5;
 
 /// Marks a point whose mirror image is the next.
@@ -59,7 +60,8 @@ pub(crate) fn stays_across(body: &BodyModel, axis: usize) -> bool {
     body.motion[axis] == Motion::Fixed && turns_only_about(DVec3::AXES[axis])
 }
 
-/// Whether two points are mirror images about the plane y = `middle` [m]: to the bit about y = 0, otherwise up to round-off.
+/// Whether two points are mirror images about the plane y = `middle` [m]: to the bit about y = 0, otherwise
+/// up to round-off.
 fn are_mirrored(a: &SurfacePoint, b: &SurfacePoint, middle: f64) -> bool {
     let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
     if middle == 0.0 {
@@ -74,8 +76,8 @@ fn are_mirrored(a: &SurfacePoint, b: &SurfacePoint, middle: f64) -> bool {
 /// Round-off between mirror images about a plane other than y = 0, relative.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Spacing of a body's contact points, and their inset from sharp edges along its own axes [m]. The cells near the body are
-/// taken to be the narrowest along each axis.
+/// Spacing of a body's contact points, and their inset from sharp edges along its own axes [m]. The cells
+/// near the body are taken to be the narrowest along each axis.
 pub(crate) fn layout(model: &Model, body: &BodyModel) -> (DVec3, DVec3) {
     let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
     let rotation = DMat3::from_quat(body.attitude(&body.start));
@@ -86,8 +88,8 @@ pub(crate) fn layout(model: &Model, body: &BodyModel) -> (DVec3, DVec3) {
     (if is_aligned { spacing } else { DVec3::splat(spacing.min_element()) }, inset)
 }
 
-/// Portion of a body's width along y that has contact points, where it passes through the grid from side to side: the margins along
-/// its edges then lie outside. 1 elsewhere.
+/// Portion of a body's width along y that has contact points, where it passes through the grid from side to
+/// side: the margins along its edges then lie outside. 1 elsewhere.
 fn portion_with_points(model: &Model, body: &BodyModel, margin: f64) -> f64 {
     let (low, high) = body.bounds(&body.start);
     let [first, last] = model.grid.ends(1);
@@ -108,7 +110,8 @@ pub(crate) fn rim(model: &Model, body: &BodyModel) -> Rim {
     Rim::of(body.shape.as_ref(), RIM_BIN * model.grid.finest())
 }
 
-/// The bins of a rim, without areas: the middle of each is that of its points, which need not lie evenly in it.
+/// The bins of a rim, without areas: the middle of each is that of its points, which need not lie evenly in
+/// it.
 fn bins(points: &[SurfacePoint], rim: &Rim) -> Vec<RimBin> {
     let mut bins: Vec<_> = rim.middles().into_iter().map(|middle| (middle, [0.0; 2])).collect();
     for point in points {

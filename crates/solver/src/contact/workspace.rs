@@ -35,7 +35,8 @@ pub(crate) struct ContactWorkspace {
     pub(crate) nodes: Vec<ContactNode>,
     /// The blocks that own them.
     pub(crate) owners: Owners,
-    /// Velocities of the nodes during a step; once slip is accounted for, the sums of those before and after it [m/s].
+    /// Velocities of the nodes during a step; once slip is accounted for, the sums of those before and after
+    /// it [m/s].
     pub(crate) velocity: Vec<DVec3>,
     /// Inverse masses of the nodes along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
     pub(crate) inverse_mass: Vec<DVec3>,
@@ -53,7 +54,8 @@ pub(crate) struct ContactWorkspace {
     pub(crate) terms: Vec<SlipTerms>,
     /// By way of which nodes.
     pub(crate) rim_stress: RimStress,
-    /// For each contact point the index in memory of the cell whose pore pressure acts there, if the block has it.
+    /// For each contact point the index in memory of the cell whose pore pressure acts there, if the block
+    /// has it.
     pub(crate) pressure_cells: Vec<Option<usize>>,
     /// Pore pressures that act at the contact points in a step [Pa]; empty where none is computed.
     pub(crate) pore_pressures: Vec<f64>,

@@ -33,8 +33,8 @@ impl RowPartition {
         self.cut(cost, 0..portions, share);
     }
 
-    /// Rebalances into portions of the first so many rows, and others of the rest. Returns whether there are rows enough; if not, all is
-    /// as before.
+    /// Rebalances into portions of the first so many rows, and others of the rest. Returns whether there are
+    /// rows enough; if not, all is as before.
     pub fn rebalance_apart(
         &mut self,
         cost: &[f64],

@@ -22,7 +22,8 @@ pub(crate) struct RowSums {
     pub beyond: f64,
     /// Kinetic energy of the nodes [J].
     pub kinetic: f64,
-    /// Largest component of a nodal displacement since the last remap, each divided by the aspect of the cells [m].
+    /// Largest component of a nodal displacement since the last remap, each divided by the aspect of the
+    /// cells [m].
     pub displacement: f64,
     /// Largest component of the displacement of light nodes, next to only a few grains of soil [m].
     pub displacement_light: f64,
@@ -33,8 +34,8 @@ pub(crate) struct RowSums {
 /// Sums over several rows, exact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct StageSums {
-    /// Plastic, viscous, hourglass and seepage dissipation, work of gravity, kinetic energy, work of pressing, and on the ground beyond
-    /// boundaries at constant stress.
+    /// Plastic, viscous, hourglass and seepage dissipation, work of gravity, kinetic energy, work of
+    /// pressing, and on the ground beyond boundaries at constant stress.
     energies: [ExactSum; 8],
     /// Largest displacements, of all nodes and of light ones.
     farthest: [f64; 2],

@@ -30,7 +30,8 @@ struct Shared {
 
 #[derive(Clone, Copy)]
 struct JobPointer(Job);
-// SAFETY: the pointer is only dereferenced between the start and the end of `Team::run`, which outlives the call.
+// SAFETY: the pointer is only dereferenced between the start and the end of `Team::run`, which outlives the
+// call.
 unsafe impl Send for JobPointer {}
 
 /// A fixed team of workers; worker 0 is the calling thread.
@@ -46,8 +47,8 @@ impl std::fmt::Debug for Team {
 }
 
 const SPINS: u32 = 4000;
-/// How long a thread offers its core to others before it goes to sleep: longer than what the calling thread does alone within a step,
-/// since it takes a tenth of a millisecond to wake.
+/// How long a thread offers its core to others before it goes to sleep: longer than what the calling thread
+/// does alone within a step, since it takes a tenth of a millisecond to wake.
 const PATIENCE: Duration = Duration::from_millis(2);
 
 impl Team {
@@ -64,7 +65,8 @@ impl Team {
             wake: Condvar::new(),
         });
         let threads = (1..size.clamp(1, MAX_WORKERS))
-            // Where the system has no room for another thread the team is smaller: results do not depend on its size.
+            // Where the system has no room for another thread the team is smaller: results do not depend on
+            // its size.
             .map_while(|worker| {
                 let shared = Arc::clone(&shared);
                 std::thread::Builder::new().spawn(move || serve(&shared, worker)).ok()
@@ -88,7 +90,8 @@ impl Team {
             job(0);
             return;
         }
-        // SAFETY: only the lifetime is erased; this function does not return before every worker is done with it.
+        // SAFETY: only the lifetime is erased; this function does not return before every worker is done with
+        // it.
         let pointer: Job = unsafe { std::mem::transmute(std::ptr::from_ref(job)) };
         *self.shared.job.lock().unwrap_or_else(std::sync::PoisonError::into_inner) =
             Some(JobPointer(pointer));
@@ -106,8 +109,9 @@ impl Team {
         assert!(!self.shared.failed.load(Ordering::Relaxed), "a worker thread panicked");
     }
 
-    /// Runs `job` on every item: on the first by the first worker and so on, on those beyond the number of workers by whoever is
-    /// ready first. A single item is processed by the calling thread, without synchronisation.
+    /// Runs `job` on every item: on the first by the first worker and so on, on those beyond the number of
+    /// workers by whoever is ready first. A single item is processed by the calling thread, without
+    /// synchronisation.
     ///
     /// # Panics
     /// If the job panics.
@@ -122,7 +126,8 @@ impl Team {
         self.run(&|worker| {
             let mut own = worker;
             while own < count {
-                // SAFETY: numbers of workers are unique, and so are those beyond that are counted up: no two workers get the same item.
+                // SAFETY: numbers of workers are unique, and so are those beyond that are counted up: no two
+                // workers get the same item.
                 job(unsafe { &mut *base.at(own) });
                 own = next.fetch_add(1, Ordering::Relaxed);
             }
@@ -182,8 +187,8 @@ impl<'a> Crew<'a> {
         Self { team, workers: partition.ranges().len().min(team.size()) }
     }
 
-    /// Calls `job(first, portion)` on successive portions of the items, in parallel; no portion but a single one has fewer than
-    /// `least` items.
+    /// Calls `job(first, portion)` on successive portions of the items, in parallel; no portion but a single
+    /// one has fewer than `least` items.
     pub(crate) fn portions<T: Send>(
         self,
         items: &mut [T],
@@ -195,7 +200,8 @@ impl<'a> Crew<'a> {
         self.team.distribute(each, |(n, portion)| job(*n * size, portion));
     }
 
-    /// Calls `job(first, portion, portion)` on successive portions of two lists of equal length, in parallel, like [`Crew::portions`].
+    /// Calls `job(first, portion, portion)` on successive portions of two lists of equal length, in parallel,
+    /// like [`Crew::portions`].
     pub(crate) fn portions2<A: Send, B: Send>(
         self,
         first: &mut [A],
@@ -274,7 +280,8 @@ fn serve(shared: &Shared, worker: usize) {
         }
         let job = *shared.job.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(JobPointer(job)) = job {
-            // SAFETY: `Team::run` keeps the job alive until `busy` is 0, which this worker has not yet allowed.
+            // SAFETY: `Team::run` keeps the job alive until `busy` is 0, which this worker has not yet
+            // allowed.
             let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| unsafe { (*job)(worker) }));
             if done.is_err() {
                 shared.failed.store(true, Ordering::Relaxed);

@@ -24,8 +24,8 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) team: Team,
     /// Partition of the rows of memory planes 1 to nz + 1 (nodes, and the cells above them).
     pub(crate) partition: RowPartition,
-    /// First row of nodes that contact needs, if this is one of several blocks and has any: the rows from there on are strained first, so
-    /// that the other blocks get them early.
+    /// First row of nodes that contact needs, if this is one of several blocks and has any: the rows from
+    /// there on are strained first, so that the other blocks get them early.
     pub(crate) contact_from: Option<usize>,
     /// Number of portions of the rows before these; 0 where all are strained together.
     pub(crate) far_portions: usize,
@@ -39,7 +39,8 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) row_is_strained: Vec<bool>,
     /// Number of the main material of each cell; empty where there is only one material.
     pub(crate) material: Vec<u8>,
-    /// Mass of each cell if all its soil were of its main material (see [`mass_as_main`]); empty where there is only one material.
+    /// Mass of each cell if all its soil were of its main material (see [`mass_as_main`]); empty where there
+    /// is only one material.
     pub(crate) mass_as_main: Vec<R>,
     /// Densities of the undeformed materials [kg/m³].
     pub(crate) densities: Vec<f64>,
@@ -52,8 +53,8 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) velocity_before: [Vec<R>; 3],
     /// Averages of soil with a characteristic length; empty without.
     pub(crate) averages: [[Vec<R>; 2]; 2],
-    /// Scratch memory of each portion of the rows: the first ones belong to a thread each, the small ones after them to whoever is
-    /// ready first.
+    /// Scratch memory of each portion of the rows: the first ones belong to a thread each, the small ones
+    /// after them to whoever is ready first.
     pub(crate) portions: Vec<PortionScratch<R>>,
     /// Sums over each row in the Lagrangian stage.
     pub(crate) row_sums: Vec<RowSums>,
@@ -78,8 +79,8 @@ pub(crate) struct PortionScratch<R: Scalar> {
     pub(crate) first: Coefficients<R>,
     /// Force and damping (four rows for each row of nodes) exerted on a plane of nodes by the cells below it.
     pub(crate) below: Vec<R>,
-    /// Force and damping, row by row, of the portion's first nodes that wait for cells of another one; those of the
-    /// first portion do not.
+    /// Force and damping, row by row, of the portion's first nodes that wait for cells of another one; those
+    /// of the first portion do not.
     pub(crate) waiting: Vec<R>,
     /// Row buffers of the nodes.
     pub(crate) row: Vec<R>,
@@ -169,8 +170,8 @@ impl<R: Scalar> SoilWorkspace<R> {
         workspace
     }
 
-    /// Moves the arrays of a state, one after the other, to memory that is first touched by the workers that will use it: on a machine
-    /// with several memory nodes it is then near them.
+    /// Moves the arrays of a state, one after the other, to memory that is first touched by the workers that
+    /// will use it: on a machine with several memory nodes it is then near them.
     pub(crate) fn settle(&mut self, state: &mut State<R>) {
         if self.threads() == 1 {
             return;
@@ -180,7 +181,8 @@ impl<R: Scalar> SoilWorkspace<R> {
         own.chain(velocity_before).for_each(|array| settle(team, partition, array));
     }
 
-    /// The masses from which laws take their density, with those of the cells [kg]: of the main material where there are several.
+    /// The masses from which laws take their density, with those of the cells [kg]: of the main material
+    /// where there are several.
     pub(crate) fn mass_of_laws<'a>(&'a self, mass: &'a [R]) -> &'a [R] {
         if self.mass_as_main.is_empty() { mass } else { &self.mass_as_main }
     }
@@ -322,7 +324,8 @@ impl<R: Scalar> SoilWorkspace<R> {
         }
     }
 
-    /// Has the rows of nodes from this one on, which contact needs, strained before the others; for one of several blocks.
+    /// Has the rows of nodes from this one on, which contact needs, strained before the others; for one of
+    /// several blocks.
     pub(crate) fn strain_first(&mut self, grid: &Grid, contact_from: Option<usize>) {
         if self.contact_from != contact_from {
             let count = portion_count(grid, self.threads()) + self.threads();
@@ -361,8 +364,8 @@ pub(crate) fn team_size(grid: &Grid, threads: usize) -> usize {
     threads.clamp(1, (planes * rows / (rows + 1)).min(MAX_WORKERS))
 }
 
-/// Portion of the cost that is kept in small portions for the threads that are ready first: how fast a core is changes from step to
-/// step.
+/// Portion of the cost that is kept in small portions for the threads that are ready first: how fast a core
+/// is changes from step to step.
 const TAIL: f64 = 0.12;
 
 /// Number of portions of the rows: one for each thread, and the small ones.

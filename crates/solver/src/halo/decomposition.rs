@@ -33,9 +33,9 @@ impl Decomposition {
         Self { slabs: [slabs(1), slabs(2)], columns: whole.domain[0].clone() }
     }
 
-    /// Cuts a grid into a number of blocks of about the same cost; `cost` is that of each row of cells of the domain, y fastest.
-    /// Of the ways to do so it takes the one whose costliest block costs least, and of those the one with the fewest cells at cuts.
-    /// `None` where there are too few layers for so many blocks.
+    /// Cuts a grid into a number of blocks of about the same cost; `cost` is that of each row of cells of the
+    /// domain, y fastest. Of the ways to do so it takes the one whose costliest block costs least, and of
+    /// those the one with the fewest cells at cuts. `None` where there are too few layers for so many blocks.
     #[must_use]
     pub fn by_cost(whole: &Grid, blocks: usize, cost: &[f64]) -> Option<Self> {
         let [_, rows, planes] = whole.domain.each_ref().map(Range::len);
@@ -110,8 +110,8 @@ impl Decomposition {
     }
 }
 
-/// Cuts layers into slabs of at least [`GHOSTS`] so that the costliest costs as little as cuts at the nearest layers allow:
-/// the layers before which they lie.
+/// Cuts layers into slabs of at least [`GHOSTS`] so that the costliest costs as little as cuts at the nearest
+/// layers allow: the layers before which they lie.
 fn balanced(cost: &[f64], slabs: usize) -> Option<Vec<usize>> {
     if slabs > 1 && slabs * GHOSTS > cost.len() {
         return None;

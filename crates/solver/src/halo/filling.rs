@@ -1,4 +1,5 @@
-//! Filling of ghost layers at cuts with the values of the blocks that own them, in one call, or in two with something to compute between.
+//! Filling of ghost layers at cuts with the values of the blocks that own them, in one call, or in two with
+//! something to compute between.
 
 use super::Halo;
 use super::decomposition::Neighbour;
@@ -104,7 +105,8 @@ pub(crate) fn end_filling<'a, R: Scalar>(
 }
 
 impl Layers {
-    /// Layers along an axis needed by the neighbour on a side. Both blocks hold the nodes on the boundary between them.
+    /// Layers along an axis needed by the neighbour on a side. Both blocks hold the nodes on the boundary
+    /// between them.
     fn edge(self, grid: &Grid, axis: usize, side: i32) -> Range<usize> {
         let Self { at, depth } = self;
         let beyond = grid.own[axis].end - grid.first[axis];

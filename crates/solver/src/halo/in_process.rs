@@ -52,7 +52,8 @@ pub fn communicators(count: usize) -> Vec<InProcess> {
     all
 }
 
-/// Partitions a grid before the given layers of its domain along y and z. Returns each block with its link to the others.
+/// Partitions a grid before the given layers of its domain along y and z. Returns each block with its link to
+/// the others.
 ///
 /// # Panics
 /// If a block gets too few layers (see [`Grid::block`]).

@@ -10,8 +10,9 @@ use decomposition::{Decomposition, Neighbour};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-/// The processes of a run, each with a block of the grid, as one of them sees them. All must call the same functions in the same
-/// order; one operation of each kind may have begun, others may begin and end before it ends.
+/// The processes of a run, each with a block of the grid, as one of them sees them. All must call the same
+/// functions in the same order; one operation of each kind may have begun, others may begin and end before it
+/// ends.
 pub trait Communicator: Send {
     /// Number of this process, from 0.
     fn rank(&self) -> usize;
@@ -49,7 +50,8 @@ pub trait Communicator: Send {
     /// Sends `values` to process 0, which gets those of each; the others get nothing.
     fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>>;
 
-    /// Sends each process its own values, those of number `n` to process `n`, and returns what each has sent here.
+    /// Sends each process its own values, those of number `n` to process `n`, and returns what each has sent
+    /// here.
     fn deliver(&mut self, values: Vec<Vec<f64>>) -> Vec<Vec<f64>>;
 
     /// Ends all processes, with an exit code: this one cannot go on, and the others would wait for it.
@@ -213,8 +215,9 @@ impl Halo {
         self.line.as_ref().map(|line| line.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Sends values to the neighbours at the low end and at the high end along `axis`, 1 or 2, and returns what these have sent;
-    /// nothing where there is none. What is sent both ways between two blocks is of the same length.
+    /// Sends values to the neighbours at the low end and at the high end along `axis`, 1 or 2, and returns
+    /// what these have sent; nothing where there is none. What is sent both ways between two blocks is of the
+    /// same length.
     pub fn exchange(&self, axis: usize, values: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
         let beside = [-1, 1].map(|end| {
             let side = if axis == 1 { [end, 0] } else { [0, end] };
@@ -321,8 +324,8 @@ impl Halo {
         self.add(&mut [0]);
     }
 
-    /// Ends the processes of all blocks, with an exit code: this one cannot go on, and the others would wait for it. Where there are no
-    /// others, nothing happens.
+    /// Ends the processes of all blocks, with an exit code: this one cannot go on, and the others would wait
+    /// for it. Where there are no others, nothing happens.
     pub fn abort(&self, code: i32) {
         if let Some(mut line) = self.line() {
             line.communicator.abort(code);

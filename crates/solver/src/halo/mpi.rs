@@ -1,6 +1,7 @@
 //! The processes of an MPI run.
 //!
-//! The handle of the communicator is asked for whenever it is needed, so that a run may be handed from thread to thread.
+//! The handle of the communicator is asked for whenever it is needed, so that a run may be handed from thread
+//! to thread.
 
 // Operations that have begun read and write memory until they end; no borrow lasts from one call to another.
 #![allow(unsafe_code)]
@@ -34,8 +35,8 @@ struct Gathered {
 const EXCHANGE: Tag = 1;
 const GATHER: Tag = 2;
 
-/// Processes that send what all gather directly to each other: it is under way while they compute. More of them leave it to MPI, which
-/// passes it on from one to the next.
+/// Processes that send what all gather directly to each other: it is under way while they compute. More of
+/// them leave it to MPI, which passes it on from one to the next.
 const DIRECTLY: usize = 16;
 
 /// An operation that has begun.
@@ -45,14 +46,15 @@ type Begins<T> = Request<'static, [T], StaticScope>;
 struct Begun<T: 'static> {
     /// Those that receive. Declared, and dropped, before the memory that they write.
     receives: Vec<WaitGuard<'static, [T]>>,
-    /// Those that send. They may go on after all has been received: until then a process would wait for others to receive what they do not
-    /// need yet.
+    /// Those that send. They may go on after all has been received: until then a process would wait for
+    /// others to receive what they do not need yet.
     sends: Vec<WaitGuard<'static, [T]>>,
     sent: Vec<Vec<T>>,
     received: Vec<Vec<T>>,
 }
 
-// SAFETY: MPI is initialised so that any thread may call it, one at a time, and what has begun belongs to no thread.
+// SAFETY: MPI is initialised so that any thread may call it, one at a time, and what has begun belongs to no
+// thread.
 unsafe impl<T: Send> Send for Begun<T> {}
 
 impl<T> std::fmt::Debug for Begun<T> {
@@ -79,8 +81,8 @@ impl<T: Copy + Default> Begun<T> {
     /// Begins an operation that reads memory to send.
     fn begin_to_read(&mut self, n: usize, begin: impl FnOnce(&'static [T]) -> Begins<T>) {
         let sent = &self.sent[n];
-        // SAFETY: the memory belongs to this struct, which changes or frees it only once `sends` has been cleared or dropped, and that
-        // waits for the operations.
+        // SAFETY: the memory belongs to this struct, which changes or frees it only once `sends` has been
+        // cleared or dropped, and that waits for the operations.
         self.sends
             .push(WaitGuard::from(begin(unsafe { std::slice::from_raw_parts(sent.as_ptr(), sent.len()) })));
     }
@@ -127,7 +129,8 @@ impl<T: Copy + Default + Equivalence> Begun<T> {
         self.renew(vec![values], vec![length]);
         if length > 0 {
             let sent = self.sent[0].as_ptr();
-            // SAFETY: the request is one of `receives`, and these are cleared or dropped before this memory, too.
+            // SAFETY: the request is one of `receives`, and these are cleared or dropped before this memory,
+            // too.
             let sent: &'static [T] = unsafe { std::slice::from_raw_parts(sent, length) };
             self.begin_to_write(0, |received| {
                 world().immediate_all_reduce_into(StaticScope, sent, received, operation)

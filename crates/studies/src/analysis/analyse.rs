@@ -27,7 +27,8 @@ pub struct Analysis {
     pub remarks: Vec<String>,
 }
 
-/// Analyses the table of a study: the rows that are done. Nothing fails: what cannot be computed is among the remarks.
+/// Analyses the table of a study: the rows that are done. Nothing fails: what cannot be computed is among the
+/// remarks.
 #[must_use]
 pub fn analyse(table: &Table, request: &AnalysisRequest) -> Analysis {
     let table = &table.without_unused();

@@ -1,5 +1,5 @@
-//! What a study says: main effects, tornado and Sobol indices of its responses, the charts that it asks for, and tables of all
-//! numbers in them. What cannot be computed is said.
+//! What a study says: main effects, tornado and Sobol indices of its responses, the charts that it asks for,
+//! and tables of all numbers in them. What cannot be computed is said.
 
 mod analyse;
 mod effects;

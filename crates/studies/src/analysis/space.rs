@@ -4,16 +4,18 @@ use super::factors::VariedFactor;
 use super::sample::Sample;
 use crate::charts::plain_label;
 
-/// Points per factor. Source: Loeppky, Sacks & Welch (2009), Technometrics 51, *Choosing the sample size of a computer experiment*.
+/// Points per factor. Source: Loeppky, Sacks & Welch (2009), Technometrics 51, *Choosing the sample size of a
+/// computer experiment*.
 const POINTS_PER_FACTOR: usize = 10;
-/// Levels of a factor of numbers, at least, and words of one of words, at most (chosen): two points show no curve, and words have no
-/// distance from each other.
+/// Levels of a factor of numbers, at least, and words of one of words, at most (chosen): two points show no
+/// curve, and words have no distance from each other.
 const LEAST_LEVELS: usize = 3;
 const MOST_WORDS: usize = 2;
 /// Largest correlation between two factors (chosen): indices take them for independent.
 const LARGEST_CORRELATION: f64 = 0.5;
 
-/// Why the sample does not fill its space, in words that go on from "… are not computed: "; `Ok` where it does.
+/// Why the sample does not fill its space, in words that go on from "… are not computed: "; `Ok` where it
+/// does.
 pub(super) fn fills_space(sample: &Sample, factors: &[VariedFactor<'_>]) -> Result<(), String> {
     let (points, needed) = (sample.values.len(), POINTS_PER_FACTOR * factors.len());
     if points < needed {

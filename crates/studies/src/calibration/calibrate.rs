@@ -61,7 +61,8 @@ pub struct Request<'a> {
 }
 
 impl Request<'_> {
-    /// Digits that change with the text of the case, with what was measured, and with the points that are run first.
+    /// Digits that change with the text of the case, with what was measured, and with the points that are run
+    /// first.
     #[must_use]
     pub fn fingerprint(&self, case: &str) -> String {
         format!("{:016x}", xxh3_64(format!("{case}{:?}{:?}", self.records, self.plan.design).as_bytes()))
@@ -122,7 +123,8 @@ impl From<SolverError> for CalibrationError {
     }
 }
 
-/// Standard deviations of the closed form's posterior to which a design is narrowed (chosen: the closed form is in error, too).
+/// Standard deviations of the closed form's posterior to which a design is narrowed (chosen: the closed form
+/// is in error, too).
 const NARROWED: f64 = 3.0;
 
 /// Calibrates a case; `tell` hears of the progress.
@@ -206,8 +208,8 @@ fn closed_form(
     Ok((stage.map_err(CalibrationError::Request)?, left_out))
 }
 
-/// The measurements, with forces turned that follow another convention of signs: what is pressed down is pressed up, and what is towed is
-/// dragged back.
+/// The measurements, with forces turned that follow another convention of signs: what is pressed down is
+/// pressed up, and what is towed is dragged back.
 fn settled(records: &[Record], is_pressed: bool) -> Result<Vec<Record>, String> {
     let loads: &[Quantity] =
         if is_pressed { &[Quantity::Vertical, Quantity::Pressure] } else { &[Quantity::Drag] };

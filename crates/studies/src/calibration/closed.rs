@@ -18,7 +18,8 @@ pub struct ClosedResponse {
     /// For each measurement the model at the middle of the priors, and the keys that hold for it alone.
     models: Vec<(ClosedForm, Vec<String>)>,
     curves: Vec<MeasuredCurve>,
-    /// Each unknown as a variable of the models, with the size of its unit, where every one is: the case need not be read again then.
+    /// Each unknown as a variable of the models, with the size of its unit, where every one is: the case need
+    /// not be read again then.
     variables: Option<Vec<(Variable, f64)>>,
 }
 

@@ -31,13 +31,15 @@ pub struct MeasuredCurve {
 const MOST_POINTS: usize = 20;
 /// The part of a tow that counts as steady, at its end.
 const STEADY: f64 = 0.4;
-/// Fraction of the largest value below which noise no longer falls with the value, of curves that change their sign (chosen).
+/// Fraction of the largest value below which noise no longer falls with the value, of curves that change
+/// their sign (chosen).
 const FLOOR: f64 = 0.1;
 
 /// How curves are taken from measurements.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Selection {
-    /// The quantities to be fitted; empty for all that are forces, pressures or torques, or the sinkage of a tow.
+    /// The quantities to be fitted; empty for all that are forces, pressures or torques, or the sinkage of a
+    /// tow.
     pub quantities: Vec<Quantity>,
     /// The part of the abscissa that counts [SI].
     pub window: Option<[f64; 2]>,
@@ -203,7 +205,8 @@ impl Selection {
 }
 
 impl MeasuredCurve {
-    /// A value as residuals see it: its logarithm, or its part of the scale; `None` of one that has no logarithm.
+    /// A value as residuals see it: its logarithm, or its part of the scale; `None` of one that has no
+    /// logarithm.
     #[must_use]
     pub fn seen(&self, point: usize, value: f64) -> Option<f64> {
         let seen = if self.is_logarithmic { value.ln() } else { value / self.scales[point] };
@@ -241,8 +244,8 @@ fn steady(points: &[[f64; 2]], has_window: bool) -> Points {
     (vec![0.5 * (begin + last)], vec![mean], error.map(|error| vec![error]))
 }
 
-/// The points, or, of many, their means over even parts of the abscissa. What is known of their deviations is kept: neighbours may be
-/// off by the same.
+/// The points, or, of many, their means over even parts of the abscissa. What is known of their deviations is
+/// kept: neighbours may be off by the same.
 fn averaged(points: &[[f64; 2]], deviations: Option<&[f64]>) -> Points {
     if points.len() <= MOST_POINTS {
         let (at, values) = points.iter().map(|[x, y]| (*x, *y)).unzip();

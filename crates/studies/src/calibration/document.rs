@@ -1,4 +1,5 @@
-//! A calibration as JSON, as tables of text and as CSV. Names in the JSON are a contract on which scripts rely.
+//! A calibration as JSON, as tables of text and as CSV. Names in the JSON are a contract on which scripts
+//! rely.
 
 use super::calibrate::{Calibration, Request};
 use super::posterior::Marginal;

@@ -1,4 +1,5 @@
-//! A surrogate of a closed form: some of them take milliseconds, and a posterior takes ten thousands of evaluations.
+//! A surrogate of a closed form: some of them take milliseconds, and a posterior takes ten thousands of
+//! evaluations.
 
 use super::likelihood::Response;
 use super::prior::Prior;
@@ -10,12 +11,13 @@ use crate::statistics::design::latin_hypercube;
 const POINTS: [usize; 3] = [16, 24, 160];
 /// Standard deviations over which a normal prior is covered: nearly all of it.
 const COVERED: f64 = 3.5;
-/// Predictivity Q² from which the surrogate stands for the closed form of a body that is pressed down, whose curves can be evaluated instead
-/// (chosen: an error of a thousandth of their spread), and of one under tow, where that takes minutes (a hundredth).
+/// Predictivity Q² from which the surrogate stands for the closed form of a body that is pressed down, whose
+/// curves can be evaluated instead (chosen: an error of a thousandth of their spread), and of one under tow,
+/// where that takes minutes (a hundredth).
 const PREDICTIVE: [f64; 2] = [0.999_999, 0.9999];
 
-/// A surrogate of a response over the priors; `None` where the response has no value somewhere, or is not smooth enough to be predicted.
-/// What the surrogate errs enters the likelihood.
+/// A surrogate of a response over the priors; `None` where the response has no value somewhere, or is not
+/// smooth enough to be predicted. What the surrogate errs enters the likelihood.
 pub(super) fn emulated(
     space: &Space,
     response: &dyn Response,

@@ -172,8 +172,8 @@ fn step(columns: &[Vec<f64>], gradient: &[f64], damping: f64) -> Vec<f64> {
     Cholesky::of(matrix).map_or_else(|| vec![0.0; gradient.len()], |factor| factor.solve(gradient))
 }
 
-/// (JᵀJ + 1)⁻¹: an even prior counts as a normal one of the same standard deviation. A noise that is estimated is taken for
-/// independent of the rest.
+/// (JᵀJ + 1)⁻¹: an even prior counts as a normal one of the same standard deviation. A noise that is
+/// estimated is taken for independent of the rest.
 fn covariance(columns: &[Vec<f64>], dimension: usize) -> Vec<Vec<f64>> {
     let mut covariance = diagonal(dimension);
     let Some(factor) = Cholesky::of(normal_matrix(columns, |square| square + 1.0)) else { return covariance };

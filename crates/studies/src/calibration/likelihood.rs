@@ -1,8 +1,10 @@
-//! How likely measurements are: noise of each point, an error of the model that a curve has in common, the error of a surrogate.
+//! How likely measurements are: noise of each point, an error of the model that a curve has in common, the
+//! error of a surrogate.
 //!
-//! Residuals r are those of logarithms, or parts of a scale ([`MeasuredCurve::seen`]). With the noise σ of each point and columns B of
-//! errors that points share, ln L = −½ rᵀΣ⁻¹r − ½ ln |Σ|, Σ = diag σ² + B Bᵀ. Source: Kennedy & O'Hagan (2001), Bayesian calibration of
-//! computer models, JRSS B 63(3), with the model inadequacy reduced to a factor on each curve.
+//! Residuals r are those of logarithms, or parts of a scale ([`MeasuredCurve::seen`]). With the noise σ of
+//! each point and columns B of errors that points share, ln L = −½ rᵀΣ⁻¹r − ½ ln |Σ|, Σ = diag σ² + B Bᵀ.
+//! Source: Kennedy & O'Hagan (2001), Bayesian calibration of computer models, JRSS B 63(3), with the model
+//! inadequacy reduced to a factor on each curve.
 
 use super::data::MeasuredCurve;
 use super::space::Space;
@@ -37,7 +39,8 @@ pub enum Noise {
     Estimated,
 }
 
-/// Median of a noise that is estimated, and the factor of its standard deviation (chosen: force gauges and repeated tests).
+/// Median of a noise that is estimated, and the factor of its standard deviation (chosen: force gauges and
+/// repeated tests).
 const ESTIMATED: [f64; 2] = [0.1, 3.0];
 
 impl Noise {
@@ -60,7 +63,8 @@ pub struct Likelihood {
     pub curves: Vec<MeasuredCurve>,
     /// The noise.
     pub noise: Noise,
-    /// Standard deviation of an error that all points of a curve have in common, as a part of the value; 0 for none.
+    /// Standard deviation of an error that all points of a curve have in common, as a part of the value; 0
+    /// for none.
     pub model_error: f64,
 }
 
@@ -125,7 +129,8 @@ impl Likelihood {
         self.space.log_prior(coordinates) + noise
     }
 
-    /// The logarithm of the posterior density at coordinates, without its constant; −∞ where priors or the model exclude them.
+    /// The logarithm of the posterior density at coordinates, without its constant; −∞ where priors or the
+    /// model exclude them.
     #[must_use]
     pub fn log_density(&self, coordinates: &[f64], response: &dyn Response) -> f64 {
         let prior = self.log_prior(coordinates);
@@ -165,7 +170,8 @@ impl Likelihood {
         -0.5 * (squares + determinant)
     }
 
-    /// The sum of the squared residuals over their noise: about the number of points where the model follows the measurements.
+    /// The sum of the squared residuals over their noise: about the number of points where the model follows
+    /// the measurements.
     #[must_use]
     pub fn squares(&self, coordinates: &[f64], seen: &Seen) -> f64 {
         let deviations = self.deviations(coordinates);

@@ -1,5 +1,5 @@
-//! Soil and contact parameters from measured curves: posterior distributions by closed-form models, or by the solver through a
-//! surrogate of its curves.
+//! Soil and contact parameters from measured curves: posterior distributions by closed-form models, or by the
+//! solver through a surrogate of its curves.
 
 mod calibrate;
 mod closed;

@@ -19,7 +19,8 @@ pub struct Marginal {
     pub median: f64,
     /// The 90 % interval: 5 and 95 % quantiles.
     pub interval: [f64; 2],
-    /// Width of the interval over that of the prior's own 90 % interval, in the coordinates in which that is spread evenly or normally.
+    /// Width of the interval over that of the prior's own 90 % interval, in the coordinates in which that is
+    /// spread evenly or normally.
     pub width: f64,
     /// R̂ of its chains.
     pub reduction: f64,
@@ -98,7 +99,8 @@ impl Posterior {
         }
     }
 
-    /// Warnings: unknowns that cannot be told apart, those that the measurements leave open, and chains that disagree.
+    /// Warnings: unknowns that cannot be told apart, those that the measurements leave open, and chains that
+    /// disagree.
     #[must_use]
     pub fn advice(&self) -> Vec<Advice> {
         let mut list = self.correlated();

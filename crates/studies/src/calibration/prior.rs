@@ -28,7 +28,8 @@ pub enum Prior {
     },
 }
 
-/// Standard deviation of the even distribution over the coordinates 0 to 1, times which coordinates are scaled.
+/// Standard deviation of the even distribution over the coordinates 0 to 1, times which coordinates are
+/// scaled.
 const EVEN: f64 = 3.464_101_615_137_754_5;
 /// Half of the width over which designs spread a normal prior, in standard deviations (chosen: 95 % of it).
 const SPREAD: f64 = 2.0;

@@ -1,4 +1,5 @@
-//! Runs of the solver for a calibration: each in a folder of its own, left where it is, resumed where it was stopped.
+//! Runs of the solver for a calibration: each in a folder of its own, left where it is, resumed where it was
+//! stopped.
 
 use super::closed::first_problem;
 use super::data::MeasuredCurve;

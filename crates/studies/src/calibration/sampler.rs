@@ -1,8 +1,9 @@
 //! Samples of the posterior: adaptive Metropolis in several chains.
 //!
-//! A proposal is normal with 2.38²/d times the covariance of the chain so far; it is adapted during the warm-up and fixed afterwards.
-//! Sources: Haario, Saksman & Tamminen (2001), An adaptive Metropolis algorithm, Bernoulli 7(2); Gelman et al. (2013), *Bayesian Data
-//! Analysis*, section 11.4 (R̂ of split chains, effective number of draws) and 12.2 (the factor 2.38²/d).
+//! A proposal is normal with 2.38²/d times the covariance of the chain so far; it is adapted during the
+//! warm-up and fixed afterwards. Sources: Haario, Saksman & Tamminen (2001), An adaptive Metropolis
+//! algorithm, Bernoulli 7(2); Gelman et al. (2013), *Bayesian Data Analysis*, section 11.4 (R̂ of split
+//! chains, effective number of draws) and 12.2 (the factor 2.38²/d).
 
 use super::fit::Best;
 use numerics::Draws;
@@ -26,7 +27,8 @@ pub struct Chains {
     pub acceptance: f64,
 }
 
-/// Samples a density around its best place: `steps` of each chain are kept, half as many before them only adapt the proposal.
+/// Samples a density around its best place: `steps` of each chain are kept, half as many before them only
+/// adapt the proposal.
 pub(super) fn sample(best: &Best, steps: usize, seed: u64, density: &dyn Fn(&[f64]) -> f64) -> Chains {
     let mut all = Chains::default();
     for chain in 0..CHAINS {
@@ -72,7 +74,8 @@ fn one_chain(
     (samples, accepted as f64 / steps.max(1) as f64)
 }
 
-/// A start away from the best place, so that chains that agree have found the same; there if nothing else is possible.
+/// A start away from the best place, so that chains that agree have found the same; there if nothing else is
+/// possible.
 fn start(best: &Best, draws: &mut Draws, density: &dyn Fn(&[f64]) -> f64) -> (Vec<f64>, f64) {
     let factor = scaled_factor(&best.covariance, 2.0);
     let away = (0..20).map(|_| moved(&best.coordinates, &factor, draws));
@@ -114,7 +117,8 @@ impl Chains {
         self.chains.iter().flatten()
     }
 
-    /// The potential scale reduction R̂ of a coordinate: near 1 where the chains, each split into halves, have found the same.
+    /// The potential scale reduction R̂ of a coordinate: near 1 where the chains, each split into halves,
+    /// have found the same.
     #[must_use]
     pub fn reduction(&self, coordinate: usize) -> f64 {
         let (within, between, length) = self.variances(coordinate);
@@ -144,7 +148,8 @@ impl Chains {
         (within, length * variance(&means), length)
     }
 
-    /// The effective number of independent draws of a coordinate, by the autocorrelation within chains up to where it vanishes.
+    /// The effective number of independent draws of a coordinate, by the autocorrelation within chains up to
+    /// where it vanishes.
     #[must_use]
     pub fn effective(&self, coordinate: usize) -> f64 {
         let total: usize = self.chains.iter().map(Vec::len).sum();
@@ -154,7 +159,8 @@ impl Chains {
     }
 }
 
-/// 1 + 2 Σ ρ_k, summed in pairs as long as they are positive. Source: Geyer (1992), Practical Markov chain Monte Carlo.
+/// 1 + 2 Σ ρ_k, summed in pairs as long as they are positive. Source: Geyer (1992), Practical Markov chain
+/// Monte Carlo.
 fn correlation_time(chain: &[Vec<f64>], coordinate: usize) -> f64 {
     let values: Vec<f64> = chain.iter().map(|sample| sample[coordinate]).collect();
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;

@@ -1,5 +1,5 @@
-//! The solver, calibrated through a surrogate of its curves: a design of runs, refinement where the best values lie, and a last run that
-//! verifies what the surrogate says of them.
+//! The solver, calibrated through a surrogate of its curves: a design of runs, refinement where the best
+//! values lie, and a last run that verifies what the surrogate says of them.
 
 use super::interruptible::Interruptible;
 use super::likelihood::{Likelihood, Response, Seen};
@@ -15,7 +15,8 @@ const REFINED: f64 = 0.25;
 const MORE_THAN_UNKNOWNS: usize = 5;
 /// Points of a design over those that are wanted, at most, where cases refuse some of them.
 const MOST_TRIED: usize = 8;
-/// Distance of two points of the design, in standard deviations of the priors, below which a run says nothing new.
+/// Distance of two points of the design, in standard deviations of the priors, below which a run says nothing
+/// new.
 const NEAR: f64 = 0.15;
 /// Samples of each chain while the design is refined.
 const QUICK: usize = 300;
@@ -129,7 +130,8 @@ fn told(
     Ok(point)
 }
 
-/// The points that are run before anything is known: those of the plan, then a Latin hypercube, without what the case refuses.
+/// The points that are run before anything is known: those of the plan, then a Latin hypercube, without what
+/// the case refuses.
 fn initial(solver: &Solver<'_>, plan: &Plan, (count, seed): (usize, u64)) -> Vec<Vec<f64>> {
     let mut found: Vec<Vec<f64>> = plan.design.iter().take(count).cloned().collect();
     let spread = |prior: &Prior, n: usize| plan.ranges.get(n).copied().unwrap_or_else(|| prior.spread());
@@ -151,8 +153,8 @@ fn initial(solver: &Solver<'_>, plan: &Plan, (count, seed): (usize, u64)) -> Vec
             .map(place)
             .filter(|v| solver.refusal(v).is_none())
             .collect::<Vec<_>>();
-        // A design of which the case allows too few is drawn again with as many more: what is left of a hypercube fills space better
-        // than two of them.
+        // A design of which the case allows too few is drawn again with as many more: what is left of a
+        // hypercube fills space better than two of them.
         if allowed.len() >= wanted || 2 * tried > MOST_TRIED * count {
             found.extend(allowed.into_iter().take(wanted));
             break;
@@ -183,7 +185,8 @@ fn surrogate(solver: &Solver<'_>, points: &[SolverPoint]) -> Result<Surrogate, S
     })
 }
 
-/// The next point: the best one, or, where a run is near it already, the sample of the posterior that the surrogate knows least of.
+/// The next point: the best one, or, where a run is near it already, the sample of the posterior that the
+/// surrogate knows least of.
 fn next(
     solver: &Solver<'_>,
     likelihood: &Likelihood,

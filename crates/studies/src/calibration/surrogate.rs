@@ -1,6 +1,7 @@
 //! A surrogate of the solver's curves: Gaussian processes of their principal components over the unknowns.
 //!
-//! Source: Higdon, Gattiker, Williams & Rightley (2008), Computer model calibration using high-dimensional output, JASA 103(482).
+//! Source: Higdon, Gattiker, Williams & Rightley (2008), Computer model calibration using high-dimensional
+//! output, JASA 103(482).
 
 use super::likelihood::{Response, Seen};
 use super::space::Space;
@@ -31,12 +32,14 @@ struct Component {
     direction: Vec<f64>,
     /// Amount of the component over the unknowns.
     process: GaussianProcess,
-    /// Factor on the error that the process states: that of points left out over what it states of them, at least 1.
+    /// Factor on the error that the process states: that of points left out over what it states of them, at
+    /// least 1.
     inflation: f64,
 }
 
-/// How much larger the errors of points left out of a process are than it says, root mean square; at least 1. With few runs lengths and
-/// nugget are uncertain themselves, and a process that takes them for known is too sure of itself.
+/// How much larger the errors of points left out of a process are than it says, root mean square; at least 1.
+/// With few runs lengths and nugget are uncertain themselves, and a process that takes them for known is too
+/// sure of itself.
 fn inflation(process: &GaussianProcess, amounts: &[f64]) -> f64 {
     let ratio = |(left_out, amount): (&Predicted, &f64)| {
         ((amount - left_out.mean) / left_out.deviation.max(f64::MIN_POSITIVE)).powi(2)

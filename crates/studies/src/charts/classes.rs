@@ -3,7 +3,8 @@
 use super::label::{shown, shown_range};
 use crate::table::{Column, Table, Values};
 
-/// Levels up to which each is a class of its own, and classes of a column with more (chosen): more colours cannot be told apart.
+/// Levels up to which each is a class of its own, and classes of a column with more (chosen): more colours
+/// cannot be told apart.
 pub(super) const MOST_CLASSES: usize = 7;
 const RANGES: usize = 5;
 
@@ -24,7 +25,8 @@ pub(super) fn classes(column: &Column, rows: &[usize]) -> Vec<Class> {
     }
 }
 
-/// The models of a table, in the order in which they come up, with their rows; all rows in one class without a column `model`.
+/// The models of a table, in the order in which they come up, with their rows; all rows in one class without
+/// a column `model`.
 pub(crate) fn models(table: &Table) -> Vec<Class> {
     let all: Vec<usize> = (0..table.rows()).collect();
     match table.words("model") {

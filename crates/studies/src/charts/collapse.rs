@@ -1,4 +1,5 @@
-//! How well all points fall onto one curve: a response over a dimensionless group, and the scatter about a running median.
+//! How well all points fall onto one curve: a response over a dimensionless group, and the scatter about a
+//! running median.
 
 use super::classes::classes;
 use super::family::ChartRequest;

@@ -18,7 +18,8 @@ pub struct FactorEffect<'a> {
     pub levels: Vec<LevelMean>,
 }
 
-/// The main effects of all factors on a response: means over the range of each factor, with their standard errors.
+/// The main effects of all factors on a response: means over the range of each factor, with their standard
+/// errors.
 #[must_use]
 pub fn main_effects_chart(response: &Column, model: &str, effects: &[FactorEffect<'_>]) -> NamedChart {
     let title = titled("main effects", response, model);
@@ -60,7 +61,8 @@ pub fn main_effects_chart(response: &Column, model: &str, effects: &[FactorEffec
     NamedChart { name: file_name(&["main_effects", &response.name, model]), title, caption, svg: chart.svg() }
 }
 
-/// The tornado of a response; `factors` are those of the numbers in it, each with its words (empty for numbers).
+/// The tornado of a response; `factors` are those of the numbers in it, each with its words (empty for
+/// numbers).
 #[must_use]
 pub fn tornado_chart(
     response: &Column,

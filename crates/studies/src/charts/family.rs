@@ -1,4 +1,5 @@
-//! Families of curves: a response over a factor or over another response, a curve for each level of a second factor and each model.
+//! Families of curves: a response over a factor or over another response, a curve for each level of a second
+//! factor and each model.
 
 use super::classes::{Class, MOST_CLASSES, classes, models};
 use super::label::{axis_label, class_name, plain_label, value_text};
@@ -6,7 +7,8 @@ use super::named::{NamedChart, file_name};
 use crate::table::{Column, Role, Table, Values};
 use coulter::output::plots::{Bar, BarGroup, Bars, Chart, Curve, Stroke};
 
-/// Levels of the x axis up to which points are joined through their means where other factors vary, too (chosen).
+/// Levels of the x axis up to which points are joined through their means where other factors vary, too
+/// (chosen).
 const MOST_LEVELS: usize = 12;
 
 /// A chart that a study asks for.
@@ -24,7 +26,8 @@ pub struct ChartRequest {
     pub logarithmic: bool,
     /// Whether the x axis alone is logarithmic.
     pub logarithmic_x: bool,
-    /// Whether to say how well all points fall onto one curve: dots, and their scatter about a running median.
+    /// Whether to say how well all points fall onto one curve: dots, and their scatter about a running
+    /// median.
     pub collapse: bool,
 }
 
@@ -141,8 +144,8 @@ fn series_name(family: Option<&Column>, class: &Class, model: Option<&Class>) ->
     class.into_iter().chain(model).collect::<Vec<_>>().join(", ")
 }
 
-/// Whether points are joined: those over a factor at few places, or at many where no other factor varies and the family has levels; and
-/// those over a response along which a single factor leads.
+/// Whether points are joined: those over a factor at few places, or at many where no other factor varies and
+/// the family has levels; and those over a response along which a single factor leads.
 fn are_curves(x: &Column, family: Option<&Column>, others: usize) -> bool {
     let places = |column: &Column| match &column.values {
         Values::Words(_) => 0,
@@ -166,7 +169,8 @@ fn strokes(series: &Series, number: usize, joined: bool, has_family: bool) -> Ve
         let (name, points) = (series.name.clone(), series.points.clone());
         return vec![Curve { name, points, colour: number, stroke: Stroke::Marks(number) }];
     }
-    // Colour and marks tell the levels apart, dashes the models; without levels all three are free for the models.
+    // Colour and marks tell the levels apart, dashes the models; without levels all three are free for the
+    // models.
     let (colour, stroke) = if has_family {
         (series.class, Stroke::Marked { dash: series.model, mark: series.class })
     } else {

@@ -3,8 +3,8 @@
 use crate::table::{Column, Values};
 use coulter::case::quantity;
 
-/// The name of a column in words: its label; the name of the file where it has none of its own, without underscores, which would
-/// lower letters.
+/// The name of a column in words: its label; the name of the file where it has none of its own, without
+/// underscores, which would lower letters.
 #[must_use]
 pub fn plain_label(column: &Column) -> String {
     if column.label.is_empty() || column.label == column.name {

@@ -23,7 +23,8 @@ pub struct Aligned {
     pub shift: f64,
 }
 
-/// Aligns a curve with a reference; both rise along the abscissa. `None` where they share fewer than two points.
+/// Aligns a curve with a reference; both rise along the abscissa. `None` where they share fewer than two
+/// points.
 #[must_use]
 pub fn aligned(reference: &[[f64; 2]], other: &[[f64; 2]], moves: bool) -> Option<Aligned> {
     let still = shifted(reference, other, 0.0)?;

@@ -12,7 +12,8 @@ use crate::sources::{LeftOut, place, rising};
 /// What is asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ComparisonRequest {
-    /// The number of the item that is the reference; `None` for the first measurement, otherwise the first item.
+    /// The number of the item that is the reference; `None` for the first measurement, otherwise the first
+    /// item.
     pub reference: Option<usize>,
     /// Along what; `None` for what the reference runs along.
     pub against: Option<Quantity>,
@@ -41,7 +42,8 @@ pub struct Compared {
     pub left_out: Vec<LeftOut>,
     /// Steady mean of the item.
     pub mean: Option<SteadyMean>,
-    /// Whether this and that of the reference have a value in common within their 90 % intervals; `None` where neither has one.
+    /// Whether this and that of the reference have a value in common within their 90 % intervals; `None`
+    /// where neither has one.
     pub overlaps: Option<bool>,
 }
 
@@ -56,14 +58,16 @@ pub struct Comparison {
     pub quantities: Vec<(Quantity, Vec<[f64; 2]>, Option<SteadyMean>)>,
     /// Every other item beside the reference.
     pub compared: Vec<Compared>,
-    /// What is to be said of how files were read, and of items that have nothing in common with the reference.
+    /// What is to be said of how files were read, and of items that have nothing in common with the
+    /// reference.
     pub remarks: Vec<String>,
 }
 
 /// The part of a curve at its end over which a mean counts as steady.
 const STEADY: f64 = 0.4;
 
-/// Compares items with their reference. Of each case file that closed form is taken that applies at most points of the reference.
+/// Compares items with their reference. Of each case file that closed form is taken that applies at most
+/// points of the reference.
 ///
 /// # Errors
 /// Why they have nothing to be compared, and what to do.
@@ -123,7 +127,8 @@ pub fn compare(items: &mut [Item], request: &ComparisonRequest) -> Result<Compar
     Ok(Comparison { reference: number, against, quantities, compared, remarks })
 }
 
-/// Refuses a comparison in which models say nothing at the points of the reference, and nothing else shares any with it.
+/// Refuses a comparison in which models say nothing at the points of the reference, and nothing else shares
+/// any with it.
 fn refuse_silence(compared: &[Compared], shares: impl Fn(usize) -> bool) -> Result<(), String> {
     let said: Vec<String> = compared.iter().flat_map(|one| one.left_out.iter().map(LeftOut::text)).collect();
     if said.is_empty() || compared.iter().any(|one| shares(one.item)) {
@@ -175,8 +180,8 @@ fn inside(points: &[[f64; 2]], window: Option<[f64; 2]>) -> Vec<[f64; 2]> {
     points.iter().copied().filter(|point| point[0] >= from && point[0] <= to).collect()
 }
 
-/// The steady mean of an item: over the window, where there is one; what the item states itself; or over the end of its curve. Curves
-/// along a sinkage or a slip are never steady.
+/// The steady mean of an item: over the window, where there is one; what the item states itself; or over the
+/// end of its curve. Curves along a sinkage or a slip are never steady.
 fn mean_of(
     item: &Item,
     quantity: Quantity,

@@ -1,4 +1,5 @@
-//! What can be compared: results folders of runs, forecasts, case files (by their closed form), and measured curves.
+//! What can be compared: results folders of runs, forecasts, case files (by their closed form), and measured
+//! curves.
 
 use super::steady::SteadyMean;
 use crate::files;
@@ -72,7 +73,8 @@ const MAX_BYTES: u64 = 64 << 20;
 /// Name of the document in the folder of a forecast.
 const FORECAST: &str = "forecast.json";
 
-/// Reads what an argument names; `body` is the body of a run with several, and `choices` say what the columns of measurements are.
+/// Reads what an argument names; `body` is the body of a run with several, and `choices` say what the columns
+/// of measurements are.
 ///
 /// # Errors
 /// [`Unreadable`] says what is wrong with it.
@@ -189,7 +191,8 @@ fn forecast(path: &Path, content: Result<Vec<u8>, FileError>) -> Result<Item, Un
 type Told = (Vec<[f64; 2]>, Vec<LeftOut>);
 
 impl Item {
-    /// Chooses the closed form of a case file: the one that applies at most of the abscissae of the reference.
+    /// Chooses the closed form of a case file: the one that applies at most of the abscissae of the
+    /// reference.
     ///
     /// # Errors
     /// Why none does.
@@ -212,7 +215,8 @@ impl Item {
         Ok(())
     }
 
-    /// Curve of a quantity along an abscissa, rising; of a model at the points of the reference where it applies, with the others.
+    /// Curve of a quantity along an abscissa, rising; of a model at the points of the reference where it
+    /// applies, with the others.
     #[must_use]
     pub fn curve(&self, quantity: Quantity, abscissa: Quantity, reference: (&Record, &[[f64; 2]])) -> Told {
         if let Some(model) = &self.model {

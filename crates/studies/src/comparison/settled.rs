@@ -1,4 +1,5 @@
-//! Measurements that follow other conventions than what they are compared with: dimensionless, or with forces of the other sign.
+//! Measurements that follow other conventions than what they are compared with: dimensionless, or with forces
+//! of the other sign.
 
 use super::item::{Item, ItemKind};
 use crate::measured::{Quantity, Record, settle_force, sign_of};

@@ -35,9 +35,10 @@ const ROUND_OFF: f64 = 1e-9;
 /// Fewest values of an interval.
 const FEWEST: usize = 4;
 
-/// The mean of values that follow each other evenly. With 24 or more its interval is that of averages over eight blocks, as of a run;
-/// with fewer that of a first-order autoregression: n (1 − ρ)/(1 + ρ) of the n values count. Source: Bayley & Hammersley (1946), The
-/// "effective" number of independent observations in an autocorrelated time series, JRSS Supplement 8(2).
+/// The mean of values that follow each other evenly. With 24 or more its interval is that of averages over
+/// eight blocks, as of a run; with fewer that of a first-order autoregression: n (1 − ρ)/(1 + ρ) of the n
+/// values count. Source: Bayley & Hammersley (1946), The "effective" number of independent observations in an
+/// autocorrelated time series, JRSS Supplement 8(2).
 #[must_use]
 pub fn steady_mean(values: &[f64]) -> Option<SteadyMean> {
     let count = values.len() as f64;

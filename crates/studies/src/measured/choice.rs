@@ -27,7 +27,8 @@ pub(super) struct ChosenMeaning {
 const FORM: &str = "write it such as \"qc [MPa]\"=pressure, \"Fz\"=\"-vertical [N]\" of the other sign, or comment=- to leave the column out";
 
 impl ColumnChoice {
-    /// Reads `COLUMN=QUANTITY`, `COLUMN="QUANTITY [UNIT]"`, with a minus before the quantity for the other sign, or `COLUMN=-`.
+    /// Reads `COLUMN=QUANTITY`, `COLUMN="QUANTITY [UNIT]"`, with a minus before the quantity for the other
+    /// sign, or `COLUMN=-`.
     ///
     /// # Errors
     /// What is wrong, and what to write instead.

@@ -1,7 +1,8 @@
 //! Measured curves from tables, and the records that measurements, runs and models have in common.
 //!
-//! A file is a table in any usual dialect ([`coulter::case::table_file`]) whose header names every column with its unit, `sinkage
-//! [mm],vertical [N]`. Whatever is wrong is refused with its line, its column and a cure; what is left out is a remark.
+//! A file is a table in any usual dialect ([`coulter::case::table_file`]) whose header names every column
+//! with its unit, `sinkage [mm],vertical [N]`. Whatever is wrong is refused with its line, its column and a
+//! cure; what is left out is a remark.
 
 mod choice;
 mod header;

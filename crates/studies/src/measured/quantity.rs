@@ -22,7 +22,8 @@ pub enum Quantity {
     Vertical,
     /// Lateral force [N].
     Lateral,
-    /// Torque of the soil about the axle [N m]; of a body that is driven in yaw, the moment against which it turns about z.
+    /// Torque of the soil about the axle [N m]; of a body that is driven in yaw, the moment against which it
+    /// turns about z.
     Torque,
     /// Pressure under a plate or on the base of a cone [Pa]: the vertical force over the area.
     Pressure,
@@ -166,7 +167,8 @@ impl Quantity {
         ALL.iter().map(|entry| entry.quantity)
     }
 
-    /// The quantity with this name or alias, whatever its case and the marks between its words: `q_c`, `qc`, `cone_resistance`.
+    /// The quantity with this name or alias, whatever its case and the marks between its words: `q_c`, `qc`,
+    /// `cone_resistance`.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let plain = plain_name(name);

@@ -7,7 +7,8 @@ use coulter::case::table_file::{Placed, TableColumn, placed};
 /// Part of the largest magnitude up to which values of the other sign are noise (chosen).
 const NOISE: f64 = 0.05;
 
-/// The sign that values have throughout, but for noise about zero: 1 or −1; `None` where they have both, or are all zero.
+/// The sign that values have throughout, but for noise about zero: 1 or −1; `None` where they have both, or
+/// are all zero.
 #[must_use]
 pub fn sign_of(values: &[f64]) -> Option<f64> {
     let (low, high) = values.iter().fold((0.0_f64, 0.0_f64), |(low, high), v| (low.min(*v), high.max(*v)));
@@ -25,7 +26,8 @@ impl Values {
     }
 }
 
-/// Depths positive downwards [m]: those that count upwards are turned where that is the one reading, and refused where it is not.
+/// Depths positive downwards [m]: those that count upwards are turned where that is the one reading, and
+/// refused where it is not.
 pub(super) fn settle_depth(
     found: &Values,
     mut values: Vec<f64>,
@@ -64,8 +66,9 @@ pub(super) fn settle_depth(
     Ok(values)
 }
 
-/// Turns the sign of measured values that is another than `expected` throughout, and says so, where that is the one reading: of the force
-/// and the pressure under what is pressed down, and of the drag of what is towed.
+/// Turns the sign of measured values that is another than `expected` throughout, and says so, where that is
+/// the one reading: of the force and the pressure under what is pressed down, and of the drag of what is
+/// towed.
 ///
 /// # Errors
 /// What is wrong, with the cure, where the difference may be real.

@@ -19,8 +19,8 @@ pub struct Gap {
     pub which: String,
 }
 
-/// All rows of a table whose column `state` is not `done`, by state and by their column `reason`. A row without a state has the state
-/// `missing`; a table without that column has no gaps.
+/// All rows of a table whose column `state` is not `done`, by state and by their column `reason`. A row
+/// without a state has the state `missing`; a table without that column has no gaps.
 #[must_use]
 pub fn gaps(table: &Table) -> Vec<Gap> {
     let Some(states) = table.words("state") else { return Vec::new() };

@@ -1,4 +1,5 @@
-//! The curve of a closed-form model for a case: along the sinkage, along the slip, or the steady value of a tow.
+//! The curve of a closed-form model for a case: along the sinkage, along the slip, or the steady value of a
+//! tow.
 
 use crate::measured::Quantity;
 use analytic::Towing;
@@ -40,7 +41,8 @@ impl Along {
     }
 }
 
-/// Places at which models are judged before one is chosen (chosen: a model ends at some depth or slip, not in between).
+/// Places at which models are judged before one is chosen (chosen: a model ends at some depth or slip, not in
+/// between).
 const TRIALS: usize = 24;
 /// Places that are judged one by one; of more, those between two take the verdict of both.
 const JUDGED: usize = 240;
@@ -78,8 +80,8 @@ impl ClosedForms {
         self.input.towing.pressed
     }
 
-    /// The one that applies at most of the points, the best of them where several do: each point is judged for itself, whatever the case
-    /// itself prescribes.
+    /// The one that applies at most of the points, the best of them where several do: each point is judged
+    /// for itself, whatever the case itself prescribes.
     ///
     /// # Errors
     /// Why none applies at any of them, in words.

@@ -1,12 +1,13 @@
 //! Curves of points: their rising part, and their values elsewhere.
 
-/// Half of the width over which a history is averaged, over the distance of the points at which it is wanted (chosen: neighbouring
-/// points then share no sample, and noise is reduced as a force gauge would).
+/// Half of the width over which a history is averaged, over the distance of the points at which it is wanted
+/// (chosen: neighbouring points then share no sample, and noise is reduced as a force gauge would).
 const REACH: f64 = 0.125;
 /// Least number of samples of an average; with fewer the value is interpolated.
 const LEAST_SAMPLES: usize = 3;
 
-/// The points whose abscissa lies beyond all before it: the loading of a curve that also unloads, in the order of the abscissa.
+/// The points whose abscissa lies beyond all before it: the loading of a curve that also unloads, in the
+/// order of the abscissa.
 #[must_use]
 pub fn rising(x: &[f64], y: &[f64]) -> Vec<[f64; 2]> {
     rising_rows(x, y).into_iter().map(|row| [x[row], y[row]]).collect()
@@ -32,8 +33,8 @@ pub fn rising_rows(x: &[f64], y: &[f64]) -> Vec<usize> {
     rows
 }
 
-/// The values of a curve at some abscissae: means over an eighth of their distance to both sides, or, where that holds fewer than three
-/// points, interpolated; `None` where the curve does not reach.
+/// The values of a curve at some abscissae: means over an eighth of their distance to both sides, or, where
+/// that holds fewer than three points, interpolated; `None` where the curve does not reach.
 #[must_use]
 pub fn local_means(points: &[[f64; 2]], at: &[f64]) -> Vec<Option<f64>> {
     let distance = |n: usize, m: usize| at.get(m).map(|other| (other - at[n]).abs()).filter(|d| *d > 0.0);

@@ -18,8 +18,8 @@ pub struct LeftOut {
     pub why: String,
 }
 
-/// Why a row says nothing by construction, whatever the model: a body that does not reach into the soil, or one that is pressed down and
-/// lifted just then. `None` of a row that says something.
+/// Why a row says nothing by construction, whatever the model: a body that does not reach into the soil, or
+/// one that is pressed down and lifted just then. `None` of a row that says something.
 #[must_use]
 pub fn says_nothing(
     is_pressed: bool,

@@ -92,8 +92,8 @@ fn base_area(reference: &Reference) -> Option<f64> {
 }
 
 impl RunSource {
-    /// The mean of a quantity over the steady window, and half of its 90 % interval from averages over blocks, where there are enough
-    /// samples for one.
+    /// The mean of a quantity over the steady window, and half of its 90 % interval from averages over
+    /// blocks, where there are enough samples for one.
     #[must_use]
     pub fn steady_mean(&self, quantity: Quantity) -> Option<(f64, Option<f64>)> {
         let values = self.record.values(quantity)?.get(self.steady.clone()).filter(|v| !v.is_empty())?;

@@ -22,7 +22,8 @@ pub struct Collapse {
     pub points: usize,
 }
 
-/// The running median of points (x, y) in any units, over a tenth of the points. Points with the same x share one median.
+/// The running median of points (x, y) in any units, over a tenth of the points. Points with the same x share
+/// one median.
 ///
 /// # Errors
 /// [`StatisticsError`] for fewer than ten points, and numbers that are not finite.

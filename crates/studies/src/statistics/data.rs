@@ -2,7 +2,8 @@
 
 use super::StatisticsError;
 
-/// The number of factors of `inputs`, after a look at all of them and their values. `what` is computed from `least` points or more.
+/// The number of factors of `inputs`, after a look at all of them and their values. `what` is computed from
+/// `least` points or more.
 pub(super) fn check(
     inputs: &[Vec<f64>],
     values: &[f64],

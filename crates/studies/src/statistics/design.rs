@@ -12,9 +12,10 @@ const EFFORT: usize = 100_000_000;
 
 /// A Latin hypercube of `points` points in `factors` factors, `points × factors` numbers in [0, 1).
 ///
-/// Each factor has one point in each of its `points` equal intervals, at random within it. Of up to 200 such hypercubes the one with
-/// the largest smallest distance between two points is taken. Source: McKay, Beckman & Conover (1979), Technometrics 21; maximin
-/// criterion of Johnson, Moore & Ylvisaker (1990), J. Stat. Plan. Inference 26.
+/// Each factor has one point in each of its `points` equal intervals, at random within it. Of up to 200 such
+/// hypercubes the one with the largest smallest distance between two points is taken. Source: McKay, Beckman
+/// & Conover (1979), Technometrics 21; maximin criterion of Johnson, Moore & Ylvisaker (1990), J. Stat. Plan.
+/// Inference 26.
 ///
 /// # Errors
 /// [`StatisticsError::Design`] without points or factors.
@@ -38,10 +39,11 @@ pub fn latin_hypercube(points: usize, factors: usize, seed: u64) -> Result<Vec<V
     Ok(best)
 }
 
-/// The first `points` points of a Sobol sequence in `factors` factors with a random digital shift, `points × factors` numbers in
-/// (0, 1). A power of two is the best number of points.
+/// The first `points` points of a Sobol sequence in `factors` factors with a random digital shift,
+/// `points × factors` numbers in (0, 1). A power of two is the best number of points.
 ///
-/// Source: Sobol (1967), direction numbers of Joe & Kuo (2008); shift: Owen (2000), Monte Carlo and Quasi-Monte Carlo Methods 1998.
+/// Source: Sobol (1967), direction numbers of Joe & Kuo (2008); shift: Owen (2000), Monte Carlo and
+/// Quasi-Monte Carlo Methods 1998.
 ///
 /// # Errors
 /// [`StatisticsError::Design`] without points or factors, or with more than [`SOBOL_FACTORS`].

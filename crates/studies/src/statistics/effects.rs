@@ -21,14 +21,16 @@ pub struct LevelMean {
     pub points: usize,
 }
 
-/// The main effect of a factor on a response, by rising level. Factor and response have equal length, in any units.
+/// The main effect of a factor on a response, by rising level. Factor and response have equal length, in any
+/// units.
 ///
-/// Each of up to twelve distinct values is a level. More are put into up to eight bins of equally many points. Means are those of a
-/// balanced design: where factors are correlated, the effect of one contains some of the other. Source: Box, Hunter & Hunter (2005),
-/// *Statistics for Experimenters*, chapter 5.
+/// Each of up to twelve distinct values is a level. More are put into up to eight bins of equally many
+/// points. Means are those of a balanced design: where factors are correlated, the effect of one contains
+/// some of the other. Source: Box, Hunter & Hunter (2005), *Statistics for Experimenters*, chapter 5.
 ///
 /// # Errors
-/// [`StatisticsError`] for lists that do not agree, numbers that are not finite, and a factor that does not vary.
+/// [`StatisticsError`] for lists that do not agree, numbers that are not finite, and a factor that does not
+/// vary.
 pub fn main_effect(factor: &[f64], response: &[f64]) -> Result<Vec<LevelMean>, StatisticsError> {
     if factor.len() != response.len() {
         let (given, expected) = (response.len(), factor.len());

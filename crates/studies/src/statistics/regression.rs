@@ -1,19 +1,22 @@
-//! Linear regression of a response on the factors, of the numbers or of their ranks: standardised coefficients.
+//! Linear regression of a response on the factors, of the numbers or of their ranks: standardised
+//! coefficients.
 
 use super::StatisticsError;
 use super::data::check;
 use numerics::symmetric::{Cholesky, Square, dot};
 
-/// What the correlation matrix keeps on its diagonal, so that factors within rounding of each other are refused (chosen).
+/// What the correlation matrix keeps on its diagonal, so that factors within rounding of each other are
+/// refused (chosen).
 const INDEPENDENT: f64 = 1e-9;
 
 /// A linear regression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regression {
-    /// The change of the response, in its standard deviations, with one standard deviation of each factor [–]; 0 for a factor that
-    /// does not vary.
+    /// The change of the response, in its standard deviations, with one standard deviation of each
+    /// factor [–]; 0 for a factor that does not vary.
     pub coefficients: Vec<f64>,
-    /// The portion R² of the variance that the regression explains [–]: coefficients say little where it is low.
+    /// The portion R² of the variance that the regression explains [–]: coefficients say little where it is
+    /// low.
     pub determination: f64,
 }
 
@@ -22,8 +25,8 @@ pub struct Regression {
 /// Source: Saltelli et al. (2008), *Global Sensitivity Analysis: The Primer*, section 1.2.5.
 ///
 /// # Errors
-/// [`StatisticsError`] for fewer points than factors and two, lists that do not agree, numbers that are not finite, inputs or values
-/// that are all equal, and factors that depend linearly on each other.
+/// [`StatisticsError`] for fewer points than factors and two, lists that do not agree, numbers that are not
+/// finite, inputs or values that are all equal, and factors that depend linearly on each other.
 pub fn linear_regression(inputs: &[Vec<f64>], values: &[f64]) -> Result<Regression, StatisticsError> {
     let factors = data(inputs, values)?;
     let columns: Vec<Vec<f64>> =
@@ -31,8 +34,8 @@ pub fn linear_regression(inputs: &[Vec<f64>], values: &[f64]) -> Result<Regressi
     regression(columns, values.to_vec())
 }
 
-/// The regression of the ranks of `values` on those of `inputs`: for responses that rise or fall throughout, but not along a line. Equal numbers share the
-/// mean of their ranks.
+/// The regression of the ranks of `values` on those of `inputs`: for responses that rise or fall throughout,
+/// but not along a line. Equal numbers share the mean of their ranks.
 ///
 /// # Errors
 /// As [`linear_regression`].

@@ -1,7 +1,8 @@
 //! Sobol indices: the portions of the variance of a response that its factors cause.
 //!
-//! Factors are independent and evenly distributed over the unit cube. First-order index S_i = V[E(y | x_i)] / V(y); total index
-//! T_i = E[V(y | all but x_i)] / V(y). Sums run over rows of two samples A and B and of the A_Bⁱ, which are A with factor i from B.
+//! Factors are independent and evenly distributed over the unit cube. First-order index S_i = V[E(y | x_i)] /
+//! V(y); total index T_i = E[V(y | all but x_i)] / V(y). Sums run over rows of two samples A and B and of the
+//! A_Bⁱ, which are A with factor i from B.
 
 use super::StatisticsError;
 use super::design::{SOBOL_FACTORS, generator, sobol};
@@ -39,17 +40,21 @@ pub struct SobolIndices {
     pub deviation: f64,
     /// Evaluations of the response.
     pub evaluations: usize,
-    /// Predictivity Q² of the surrogate that stood for the response [–]; `None` where the response itself was evaluated.
+    /// Predictivity Q² of the surrogate that stood for the response [–]; `None` where the response itself was
+    /// evaluated.
     pub predictivity: Option<f64>,
 }
 
-/// The indices of `response` over the unit cube of `factors` factors, from `rows` × (factors + 2) evaluations.
+/// The indices of `response` over the unit cube of `factors` factors, from `rows` × (factors + 2)
+/// evaluations.
 ///
-/// First-order: Saltelli et al. (2010), Comput. Phys. Commun. 181, table 2 (b); total: Jansen (1999), Comput. Phys. Commun. 117. A and B
-/// are the halves of one Sobol sequence, of more than ten factors random numbers. Intervals: bootstrap over the rows, 5 % and 95 %.
+/// First-order: Saltelli et al. (2010), Comput. Phys. Commun. 181, table 2 (b); total: Jansen (1999), Comput.
+/// Phys. Commun. 117. A and B are the halves of one Sobol sequence, of more than ten factors random numbers.
+/// Intervals: bootstrap over the rows, 5 % and 95 %.
 ///
 /// # Errors
-/// [`StatisticsError`] without factors, with fewer than 16 rows, with a response that is not finite or does not vary.
+/// [`StatisticsError`] without factors, with fewer than 16 rows, with a response that is not finite or does
+/// not vary.
 pub fn sobol_indices(
     response: impl Fn(&[f64]) -> f64,
     factors: usize,
@@ -84,10 +89,12 @@ pub fn sobol_indices(
     })
 }
 
-/// The indices of a response that a surrogate stands for, over the box `ranges` of its factors (lowest, highest value of each).
+/// The indices of a response that a surrogate stands for, over the box `ranges` of its factors (lowest,
+/// highest value of each).
 ///
-/// What the surrogate leaves unexplained, 1 − Q² of the variance, may belong to any factor or to none: the interval of an index s is
-/// widened from [a, b] to [Q² a, Q² b + 1 − Q²] (chosen), which the bootstrap alone would not know.
+/// What the surrogate leaves unexplained, 1 − Q² of the variance, may belong to any factor or to none: the
+/// interval of an index s is widened from [a, b] to [Q² a, Q² b + 1 − Q²] (chosen), which the bootstrap alone
+/// would not know.
 ///
 /// # Errors
 /// As [`sobol_indices`]; [`StatisticsError::NotPredictive`] for a surrogate that does not predict.

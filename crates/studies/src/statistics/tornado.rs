@@ -1,4 +1,5 @@
-//! The tornado of a response: how far it swings as one factor goes from its low to its high end, the others held.
+//! The tornado of a response: how far it swings as one factor goes from its low to its high end, the others
+//! held.
 
 use super::StatisticsError;
 use super::data::check;
@@ -47,11 +48,12 @@ impl Tornado {
     }
 }
 
-/// The tornado of a response at inputs, `n × factors` numbers: from one-at-a-time points where every factor that varies has them, else
-/// from the surrogate where there is one that predicts, else from main effects.
+/// The tornado of a response at inputs, `n × factors` numbers: from one-at-a-time points where every factor
+/// that varies has them, else from the surrogate where there is one that predicts, else from main effects.
 ///
 /// # Errors
-/// [`StatisticsError`] for fewer than two points, lists that do not agree, numbers that are not finite, and inputs that are all equal.
+/// [`StatisticsError`] for fewer than two points, lists that do not agree, numbers that are not finite, and
+/// inputs that are all equal.
 pub fn tornado(
     inputs: &[Vec<f64>],
     values: &[f64],
@@ -102,7 +104,8 @@ pub fn tornado(
     Ok(Tornado::new(values.iter().sum::<f64>() / count, swings, SwingSource::MainEffects))
 }
 
-/// The tornado about the point that most others differ from in one factor only; `None` where a factor has no such points.
+/// The tornado about the point that most others differ from in one factor only; `None` where a factor has no
+/// such points.
 fn one_at_a_time(inputs: &[Vec<f64>], values: &[f64], varying: &[(usize, [f64; 2])]) -> Option<Tornado> {
     let middle: Vec<f64> = varying
         .iter()
@@ -132,7 +135,8 @@ fn one_at_a_time(inputs: &[Vec<f64>], values: &[f64], varying: &[(usize, [f64; 2
     Some(Tornado::new(values[base], swings.collect::<Option<Vec<_>>>()?, SwingSource::OneAtATime))
 }
 
-/// For each point the number of those that differ from it in one factor at most, itself counted once for each factor.
+/// For each point the number of those that differ from it in one factor at most, itself counted once for each
+/// factor.
 fn neighbours(inputs: &[Vec<f64>]) -> Vec<usize> {
     let mut counts = vec![0; inputs.len()];
     for k in 0..inputs.first().map_or(0, Vec::len) {

@@ -1,4 +1,5 @@
-//! What of a study can be checked only as a whole: whether designs have what they need, and names lead somewhere.
+//! What of a study can be checked only as a whole: whether designs have what they need, and names lead
+//! somewhere.
 
 use super::assignments::assignments;
 use super::points::{Formless, count, point};

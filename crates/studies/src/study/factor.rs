@@ -19,7 +19,8 @@ pub struct Level {
 pub struct Unit {
     /// As typed: `deg`; `-` for plain numbers.
     pub symbol: String,
-    /// Size of the unit in SI units, and what it measures; `None` for a unit that depends on another key, such as kN/m^(n+1).
+    /// Size of the unit in SI units, and what it measures; `None` for a unit that depends on another key,
+    /// such as kN/m^(n+1).
     pub size: Option<(f64, Dimension)>,
 }
 
@@ -103,7 +104,8 @@ fn number_of(value: &Value) -> Option<(f64, Unit)> {
     }
 }
 
-/// The unit of the first of some values, and all of them in it; `None` where one is a word, or of another dimension.
+/// The unit of the first of some values, and all of them in it; `None` where one is a word, or of another
+/// dimension.
 #[must_use]
 pub(super) fn numbers_of(values: &[Value]) -> Option<(Unit, Vec<f64>)> {
     let read: Vec<(f64, Unit)> = values.iter().map(number_of).collect::<Option<_>>()?;

@@ -11,7 +11,8 @@ use coulter::case::quantity::{self, Dimension, Measure};
 /// A point of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// The level of every factor of the study; of one that its part does not vary that of the case, where this says it.
+    /// The level of every factor of the study; of one that its part does not vary that of the case, where
+    /// this says it.
     pub levels: Vec<Option<Level>>,
     /// What is set in the case, as `--set` takes it: `soil.friction_angle="30 deg"`.
     pub set: Vec<String>,
@@ -72,7 +73,8 @@ fn levels(study: &Study, part: &Part, tree: &[Entry]) -> Result<Vec<Vec<Level>>,
     })
 }
 
-/// The case itself, and every other level of every factor alone. A factor of which the case says nothing has its first level there.
+/// The case itself, and every other level of every factor alone. A factor of which the case says nothing has
+/// its first level there.
 fn one_at_a_time(factors: &[&Factor], part: &Part, tree: &[Entry]) -> Vec<Vec<Level>> {
     let own = |factor: &&Factor| fixed_level(factor, part, tree).or_else(|| factor.levels.first().cloned());
     let Some(base) = factors.iter().map(own).collect::<Option<Vec<Level>>>() else { return Vec::new() };
@@ -136,7 +138,8 @@ pub(super) fn point(
     Ok(Point { levels, set })
 }
 
-/// The level of a factor where it is not varied: what the part sets, what the case says, otherwise, of one without a key, the first.
+/// The level of a factor where it is not varied: what the part sets, what the case says, otherwise, of one
+/// without a key, the first.
 fn fixed_level(factor: &Factor, part: &Part, tree: &[Entry]) -> Option<Level> {
     let Some(key) = &factor.key else { return factor.levels.first().cloned() };
     match part.set.iter().rev().find(|(set, _)| set == key) {

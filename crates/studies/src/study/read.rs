@@ -1,4 +1,5 @@
-//! From the text of a study file to a study; everything that is wrong is reported at once, each with its place.
+//! From the text of a study file to a study; everything that is wrong is reported at once, each with its
+//! place.
 
 use super::assignments::assignments;
 use super::factor::numbers_of;
@@ -13,14 +14,16 @@ use std::path::Path;
 /// Reads the study file at `path`.
 ///
 /// # Errors
-/// [`CaseError`] holds everything that is wrong with it, with its place in the file; or what is wrong with the file of the case.
+/// [`CaseError`] holds everything that is wrong with it, with its place in the file; or what is wrong with
+/// the file of the case.
 pub fn read(path: &Path) -> Result<Study, CaseError> {
     let stem = path.file_stem();
     let name = stem.map_or_else(|| "study".to_owned(), |stem| stem.to_string_lossy().into_owned());
     read_with(path, &name, None)
 }
 
-/// Reads a study that was expanded: the copy of its file, its name, and the text of the case with the path of its file.
+/// Reads a study that was expanded: the copy of its file, its name, and the text of the case with the path of
+/// its file.
 ///
 /// # Errors
 /// As [`read`].

@@ -116,7 +116,8 @@ pub fn collect(store: &Store, study: &Study, lines: &[CaseLine]) -> Collected {
     Collected { table: table(study, &rows), counts, lacking }
 }
 
-/// The row of some figures. Where only the recommended closed form is wanted it is one model, whatever its name at a point.
+/// The row of some figures. Where only the recommended closed form is wanted it is one model, whatever its
+/// name at a point.
 fn row<'a>(
     study: &Study,
     line: &'a CaseLine,
@@ -136,7 +137,8 @@ fn row<'a>(
 /// The model of a row of a closed form that has no results, or of the recommended one.
 const CLOSED_FORM: &str = "closed form";
 
-/// How a case has ended for a study, and why: where none of the closed forms that are wanted has an answer, it is refused.
+/// How a case has ended for a study, and why: where none of the closed forms that are wanted has an answer,
+/// it is refused.
 fn ending(study: &Study, line: &CaseLine, outcome: &Outcome) -> (Ending, String) {
     if outcome.ending == Ending::Done && chosen(study, line, outcome).is_empty() {
         let none = if study.all_closed_forms { "applies" } else { "is recommended" };

@@ -59,7 +59,8 @@ pub struct Shared {
 /// Brings a case to its outcome and enters it; one that has an outcome is left as it is.
 ///
 /// # Errors
-/// [`Unended`] where it has none; the reason is noted in the folder of the study, unless it was stopped or another engine has it.
+/// [`Unended`] where it has none; the reason is noted in the folder of the study, unless it was stopped or
+/// another engine has it.
 pub fn evaluate(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
     if let Some(outcome) = shared.store.outcome(&line.id) {
         return Ok(outcome);
@@ -186,10 +187,12 @@ fn failed_checks(summary: &Summary) -> String {
     failed.map(Check::line).collect::<Vec<_>>().join("; ")
 }
 
-/// Part of a run, at its end, over which the figures of a body that still sinks are averaged (chosen: its depth changes by some 2 %).
+/// Part of a run, at its end, over which the figures of a body that still sinks are averaged (chosen: its
+/// depth changes by some 2 %).
 const AT_END: f64 = 0.02;
 
-/// The means at the end of a run of a body that is pressed down until then, where a closed form is evaluated; `None` for any other.
+/// The means at the end of a run of a body that is pressed down until then, where a closed form is evaluated;
+/// `None` for any other.
 fn at_end(reference: &Reference, run: &RunRecord, samples: &[BodySample]) -> Option<Steady> {
     let whole = SteadyWindow::of(samples, reference, run.steady_part()).inside();
     let [first, last] = [whole.first()?.sinkage, whole.last()?.sinkage];

@@ -69,8 +69,8 @@ pub fn read(text: &str, path: &str, line: &CaseLine) -> Result<Case, CaseError> 
     }
 }
 
-/// The id of a case: the hash of the case as understood, and of what is evaluated. A run does not depend on what only the closed forms
-/// read.
+/// The id of a case: the hash of the case as understood, and of what is evaluated. A run does not depend on
+/// what only the closed forms read.
 #[must_use]
 pub fn id(case: &Case, model: ModelKind) -> CaseId {
     match model {

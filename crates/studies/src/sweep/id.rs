@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// The letter of what is evaluated, and a hash in sixteen hexadecimal digits. Nothing else is one, wherever it is read from: it is safe
-/// in names of files and in scripts.
+/// The letter of what is evaluated, and a hash in sixteen hexadecimal digits. Nothing else is one, wherever
+/// it is read from: it is safe in names of files and in scripts.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct CaseId(String);

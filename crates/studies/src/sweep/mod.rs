@@ -1,7 +1,8 @@
 //! The cases of a study: expanded, run by whatever engine, and collected.
 //!
-//! A study has a folder. `cases.jsonl` lists its cases; each has an id, the hash of what it is, and an outcome in a file of its own that
-//! appears whole or not at all. So cases may be run by several engines at once, killed and run again.
+//! A study has a folder. `cases.jsonl` lists its cases; each has an id, the hash of what it is, and an
+//! outcome in a file of its own that appears whole or not at all. So cases may be run by several engines at
+//! once, killed and run again.
 
 pub mod collect;
 pub mod evaluate;

@@ -43,8 +43,8 @@ struct Queue<'a> {
     end: PoolEnd,
 }
 
-/// Runs the cases that have no outcome yet: the closed forms, which take no time, in their order; then the runs of the solver, the
-/// largest of them first, so that none is left for the end.
+/// Runs the cases that have no outcome yet: the closed forms, which take no time, in their order; then the
+/// runs of the solver, the largest of them first, so that none is left for the end.
 pub fn run(shared: &Shared, lines: &[CaseLine], pool: &Pool, watcher: &dyn Watcher) -> PoolEnd {
     let had = shared.store.with_outcome().unwrap_or_default();
     let mut seen = HashSet::new();
@@ -98,7 +98,8 @@ fn work(shared: &Shared, (queue, free, memory): (&Mutex<Queue>, &Condvar, f64), 
     }
 }
 
-/// The next case for which there is memory; waits for some. `None` where none is left, or a signal has stopped the pool.
+/// The next case for which there is memory; waits for some. `None` where none is left, or a signal has
+/// stopped the pool.
 fn next<'a>(shared: &Shared, queue: &Mutex<Queue<'a>>, free: &Condvar, memory: f64) -> Option<&'a CaseLine> {
     let mut queue = queue.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     loop {

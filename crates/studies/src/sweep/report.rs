@@ -79,7 +79,8 @@ fn lacking(collected: &Collected) -> Table {
     }
 }
 
-/// What the study says: each part for itself, since each has a design of its own, and the charts that the file asks for.
+/// What the study says: each part for itself, since each has a design of its own, and the charts that the
+/// file asks for.
 fn analysis(study: &Study, table: &Table) -> Analysis {
     let mut all = Analysis::default();
     for part in &study.parts {
@@ -130,8 +131,8 @@ fn charts(study: &Study, part: Option<&Part>) -> Vec<ChartRequest> {
         .collect()
 }
 
-/// Adds the analysis of a part. Where the file names charts of it, only these are drawn; of a study of parts, others are named after
-/// their part.
+/// Adds the analysis of a part. Where the file names charts of it, only these are drawn; of a study of parts,
+/// others are named after their part.
 fn add(all: &mut Analysis, found: Analysis, part: &Part, asked: &[ChartRequest]) {
     let is_asked = |name: &str| asked.iter().any(|chart| chart.name == name);
     let is_named = !part.name.is_empty();

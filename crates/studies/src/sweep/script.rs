@@ -1,5 +1,6 @@
-//! Scripts that run the cases of a study with engines that people have. Each of them does nothing but start `coulter sweep run`, which
-//! leaves a case that has an outcome as it is: a script may be started again, and several engines may share a study.
+//! Scripts that run the cases of a study with engines that people have. Each of them does nothing but start
+//! `coulter sweep run`, which leaves a case that has an outcome as it is: a script may be started again, and
+//! several engines may share a study.
 
 use super::id::CaseId;
 use super::line::CaseLine;
@@ -100,7 +101,8 @@ fn listed(groups: &[String]) -> String {
 fn parallel(command: &Command, groups: &[String]) -> String {
     let Command { program, folder, threads } = command;
     let ids = listed(groups);
-    // Parallel gives what it runs to a shell once more (-q quotes it for that), and replaces words in braces wherever they stand.
+    // Parallel gives what it runs to a shell once more (-q quotes it for that), and replaces words in braces
+    // wherever they stand.
     let (before, run) = if [program, folder].iter().any(|word| word.contains('{')) {
         (
             format!("COULTER={program}\nSTUDY={folder}\nexport COULTER STUDY\n"),
@@ -161,7 +163,8 @@ fn snakemake(command: &Command, ids: &[CaseId], folder: &str) -> String {
     let names: String = ids.iter().map(|id| format!("\"{id}\",\n       ")).collect();
     // An outcome is one even where the run is broken: only what has none fails.
     let run = format!("{} --id {{wildcards.id}} || test -e {{output}}", for_snakemake(&command.text()));
-    // Braces in a name of a file stand for wildcards, which those of the folder must not: it is not part of any.
+    // Braces in a name of a file stand for wildcards, which those of the folder must not: it is not part of
+    // any.
     format!(
         "# Rules of Snakemake: snakemake --snakefile study.smk --cores all --keep-going\n\
          IDS = [{}]\n\

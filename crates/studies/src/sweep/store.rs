@@ -105,10 +105,12 @@ impl Store {
         Ok([OUTCOMES, RUNS].iter().try_for_each(|name| files::folder(&self.inside(name)).map(drop))?)
     }
 
-    /// Writes a study into a folder: a new one, or one that holds a study. Outcomes of cases that are still part of it remain.
+    /// Writes a study into a folder: a new one, or one that holds a study. Outcomes of cases that are still
+    /// part of it remain.
     ///
     /// # Errors
-    /// Where the folder holds something else or a study of another version of the format, or cannot be written.
+    /// Where the folder holds something else or a study of another version of the format, or cannot be
+    /// written.
     pub fn create(folder: &Path, study: &Study, text: &str, lines: &[CaseLine]) -> Result<Self, StudyError> {
         let store = Self { folder: folder.to_path_buf() };
         if store.inside(LIST).exists() {
@@ -231,7 +233,8 @@ impl Store {
         ids.iter().map(one).collect()
     }
 
-    /// The outcome of a case; `None` where there is none yet. One that a loss of power has left in pieces does not count.
+    /// The outcome of a case; `None` where there is none yet. One that a loss of power has left in pieces
+    /// does not count.
     #[must_use]
     pub fn outcome(&self, id: &CaseId) -> Option<Outcome> {
         let bytes = files::read_inside(&self.outcome_file(id), MOST_BYTES).ok()?;

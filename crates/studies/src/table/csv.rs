@@ -1,8 +1,9 @@
-//! Tables as CSV text (RFC 4180): a header of names with units, `drag [N]`, then a line for each row. A missing value is an empty cell.
+//! Tables as CSV text (RFC 4180): a header of names with units, `drag [N]`, then a line for each row. A
+//! missing value is an empty cell.
 //!
-//! Numbers have as many digits as bring back the same 64-bit number. Words that a spreadsheet would compute have an apostrophe before
-//! them. Words have a header without a unit; a word of no letters is
-//! read back as missing. Roles and labels are not written.
+//! Numbers have as many digits as bring back the same 64-bit number. Words that a spreadsheet would compute
+//! have an apostrophe before them. Words have a header without a unit; a word of no letters is read back as
+//! missing. Roles and labels are not written.
 
 use super::checks::check;
 use super::error::TableError;
@@ -25,11 +26,12 @@ pub fn to_csv(table: &Table) -> Result<String, TableError> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The table of a CSV text: columns with a unit hold numbers, all others words; labels are the names. `role` says what a column of a
-/// name is.
+/// The table of a CSV text: columns with a unit hold numbers, all others words; labels are the names. `role`
+/// says what a column of a name is.
 ///
 /// # Errors
-/// [`TableError`] for text that is not CSV, lines of different length, a cell under a unit that is not a number, two columns of one name.
+/// [`TableError`] for text that is not CSV, lines of different length, a cell under a unit that is not a
+/// number, two columns of one name.
 pub fn from_csv(text: &str, role: impl Fn(&str) -> Role) -> Result<Table, TableError> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let empty = |header: &str| {

@@ -112,7 +112,8 @@ impl Table {
         }
     }
 
-    /// Whether a row has the state `done`, or no column says. Figures of any other, such as those of a broken run, are shown and not used.
+    /// Whether a row has the state `done`, or no column says. Figures of any other, such as those of a broken
+    /// run, are shown and not used.
     #[must_use]
     pub fn is_done(&self, row: usize) -> bool {
         self.words("state").is_none_or(|states| states[row].as_deref() == Some(DONE))

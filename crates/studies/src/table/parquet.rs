@@ -1,7 +1,8 @@
-//! Tables as Parquet data: a column of optional 64-bit numbers or of words for each column, named by its CSV header.
+//! Tables as Parquet data: a column of optional 64-bit numbers or of words for each column, named by its CSV
+//! header.
 //!
-//! The key-value entry `coulter.columns` of the file says of each column its name, unit, label and role, as JSON. Without it columns
-//! are read as those of a CSV file are. The same table gives the same bytes.
+//! The key-value entry `coulter.columns` of the file says of each column its name, unit, label and role, as
+//! JSON. Without it columns are read as those of a CSV file are. The same table gives the same bytes.
 
 use super::checks::check;
 use super::error::TableError;

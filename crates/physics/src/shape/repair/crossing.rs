@@ -1,15 +1,16 @@
 //! Whether a surface goes through itself.
 //!
-//! Two searches, for neither sees everything: an edge that pierces a triangle gives away parts that cross at an angle; and just
-//! outside of every triangle there must be no body, just inside of it one, which gives away parts that overlap with their faces
-//! in the same planes.
+//! Two searches, for neither sees everything: an edge that pierces a triangle gives away parts that cross at
+//! an angle; and just outside of every triangle there must be no body, just inside of it one, which gives
+//! away parts that overlap with their faces in the same planes.
 
 use super::defect::Defect;
 use crate::shape::polyhedron::Polyhedron;
 use crate::shape::triangle::{area_vector, meets, pierced};
 use glam::DVec3;
 
-/// Pairs of triangles whose boxes overlap that are looked at: of an ordinary mesh there are some ten for each triangle.
+/// Pairs of triangles whose boxes overlap that are looked at: of an ordinary mesh there are some ten for each
+/// triangle.
 const MOST_PAIRS: usize = 100_000_000;
 /// Triangles, spread over the surface, that are asked for what is on their sides.
 const MOST_PROBES: usize = 100_000;
@@ -63,8 +64,8 @@ pub(super) fn pierces(solid: &Polyhedron, tolerance: f64) -> Result<bool, Defect
     Ok(true)
 }
 
-/// The edges of a triangle, and lines from its corners to the opposite edges: parts that are drawn on a lattice cross exactly on the
-/// edges of their triangles, which counts as touching.
+/// The edges of a triangle, and lines from its corners to the opposite edges: parts that are drawn on a
+/// lattice cross exactly on the edges of their triangles, which counts as touching.
 fn lines([a, b, c]: &[DVec3; 3]) -> [[DVec3; 2]; 6] {
     const PART: f64 = 0.382;
     let within = |from: &DVec3, to: &DVec3| from.lerp(*to, PART);
@@ -110,7 +111,8 @@ fn overlaps(solid: &Polyhedron, tolerance: f64) -> Result<bool, Defect> {
         if visits >= MOST_VISITS {
             return Ok(false);
         }
-        // Beyond a triangle that the ray leaves through there is nothing; through one that it enters by, the body.
+        // Beyond a triangle that the ray leaves through there is nothing; through one that it enters by, the
+        // body.
         let expected = i32::from(normal.dot(direction) < 0.0);
         let has_side = steepness(&direction) > 1e-3 * normal.length();
         if !touches && has_side && winding != expected {

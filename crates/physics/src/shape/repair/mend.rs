@@ -1,7 +1,9 @@
-//! Repairs of a surface that is not closed, each of which has one answer only: facets that are there twice, inner walls between parts
-//! that touch, flaps without thickness, edges that end in the middle of others, seams whose two sides nearly meet.
+//! Repairs of a surface that is not closed, each of which has one answer only: facets that are there twice,
+//! inner walls between parts that touch, flaps without thickness, edges that end in the middle of others,
+//! seams whose two sides nearly meet.
 //!
-//! That repair is made which leaves the fewest edges without exactly two triangles; the surface is mended when there is none left.
+//! That repair is made which leaves the fewest edges without exactly two triangles; the surface is mended
+//! when there is none left.
 
 use super::defect::Defect;
 use super::weld::welded;
@@ -37,7 +39,8 @@ pub enum MendKind {
     Seam,
 }
 
-/// Area of flaps over that of the rest up to which they are removed (chosen: more is part of the design, such as a fin).
+/// Area of flaps over that of the rest up to which they are removed (chosen: more is part of the design, such
+/// as a fin).
 const SMALL: f64 = 0.1;
 /// Distance of a corner from an edge on which it lies, over the size of the body: the rounding of six digits.
 const ON_EDGE: f64 = 5e-6;
@@ -54,8 +57,8 @@ pub(super) type Mended = (Mesh, Vec<Mend>, Option<f64>);
 /// A way to mend a surface: what it becomes, if there is something to mend.
 type Step<'a> = &'a dyn Fn(&Mesh) -> Option<(Mesh, Mend)>;
 
-/// The surface mended; `size` is that of the body [m], `rounding` the distance up to which points are the same [m], `defect` what is wrong
-/// with it otherwise.
+/// The surface mended; `size` is that of the body [m], `rounding` the distance up to which points are the
+/// same [m], `defect` what is wrong with it otherwise.
 pub(super) fn mended(surface: &Mesh, [size, rounding]: [f64; 2], defect: Defect) -> Result<Mended, Defect> {
     let mut mesh = without_lines(welded(surface, rounding));
     let mut mends: Vec<Mend> = Vec::new();
@@ -127,7 +130,8 @@ fn without(mesh: &Mesh, removed: &[bool], kind: MendKind) -> Option<(Mesh, Mend)
     Some((rest, Mend { kind, triangles: count, place: middle(mesh, first) }))
 }
 
-/// Without the triangles that have the same corners as another one: `removed` = 1 leaves one of several, 2 none of two.
+/// Without the triangles that have the same corners as another one: `removed` = 1 leaves one of several, 2
+/// none of two.
 fn doubled(mesh: &Mesh, removed: usize) -> Option<(Mesh, Mend)> {
     let mut same: HashMap<[u32; 3], Vec<usize>> = HashMap::new();
     for (number, corners) in mesh.triangles.iter().enumerate() {
@@ -198,7 +202,8 @@ fn within(ends: &[(f64, u32)], low: f64, high: f64) -> &[(f64, u32)] {
     &ends[first..first + count]
 }
 
-/// With triangles divided where corners of others lie in the middle of an open edge of theirs, no farther than a tolerance from it [m].
+/// With triangles divided where corners of others lie in the middle of an open edge of theirs, no farther
+/// than a tolerance from it [m].
 fn divided(mesh: &Mesh, tolerance: f64) -> Option<(Mesh, Mend)> {
     let open = open_sides(mesh);
     let ends = ends(mesh, &open);
@@ -240,7 +245,8 @@ fn divided(mesh: &Mesh, tolerance: f64) -> Option<(Mesh, Mend)> {
     Some((result, Mend { kind: MendKind::Divided, triangles: count, place: first? }))
 }
 
-/// With the points of open edges merged that are no more than a width apart [m], if that closes the surface and nothing vanishes.
+/// With the points of open edges merged that are no more than a width apart [m], if that closes the surface
+/// and nothing vanishes.
 fn sewn(mesh: &Mesh, width: f64) -> Option<(Mesh, Mend)> {
     let open = open_sides(mesh);
     let ends = ends(mesh, &open);
@@ -271,7 +277,8 @@ fn sewn(mesh: &Mesh, width: f64) -> Option<(Mesh, Mend)> {
     Some((closed, Mend { kind: MendKind::Seam, triangles: open.len(), place }))
 }
 
-/// What is wrong with a surface that could not be mended: a seam that is too wide, if all open edges lie at one.
+/// What is wrong with a surface that could not be mended: a seam that is too wide, if all open edges lie at
+/// one.
 fn explained(mesh: &Mesh, size: f64, defect: Defect) -> Defect {
     const WIDE: f64 = 0.02;
     let open = open_sides(mesh);

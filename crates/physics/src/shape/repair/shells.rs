@@ -22,7 +22,8 @@ pub(super) struct Oriented {
 /// A closed surface that hangs together.
 #[derive(Clone, Copy, Default)]
 struct Shell {
-    /// Six times the volume that it encloses [m³], with the sign of its orientation as its first triangle has it.
+    /// Six times the volume that it encloses [m³], with the sign of its orientation as its first triangle has
+    /// it.
     volume: f64,
     triangles: usize,
     /// Triangles oriented against the first.
@@ -31,8 +32,9 @@ struct Shell {
 
 /// Orients a surface with two triangles at every edge; `size` is that of the body [m].
 ///
-/// Every shell is first made to agree with itself. One that lies in no other, or in two, is oriented outwards. One that lies in
-/// another is a cavity if the file has it inwards; otherwise it is a part drawn inside another, and refused.
+/// Every shell is first made to agree with itself. One that lies in no other, or in two, is oriented
+/// outwards. One that lies in another is a cavity if the file has it inwards; otherwise it is a part drawn
+/// inside another, and refused.
 pub(super) fn orient(surface: &mut Mesh, size: f64) -> Result<Oriented, Defect> {
     let (shell_of, is_turned, shells) = shells(surface)?;
     if shells.len() > MOST_SHELLS {

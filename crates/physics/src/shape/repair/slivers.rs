@@ -1,5 +1,6 @@
-//! Triangles without height, as programs write them where a long edge meets the end of a short one. Their normal is noise, so that
-//! the long edge is replaced by that from the third corner to the triangle beyond: the surface stays closed and where it is.
+//! Triangles without height, as programs write them where a long edge meets the end of a short one. Their
+//! normal is noise, so that the long edge is replaced by that from the third corner to the triangle beyond:
+//! the surface stays closed and where it is.
 
 use crate::shape::Mesh;
 use crate::shape::edges::neighbours;
@@ -40,7 +41,8 @@ pub(super) fn flatten(surface: &mut Mesh, height: f64) -> usize {
     flattened
 }
 
-/// The corner where the long edge of a triangle without height begins, with the third corner between its ends.
+/// The corner where the long edge of a triangle without height begins, with the third corner between its
+/// ends.
 fn long_edge(surface: &Mesh, number: usize, height: f64) -> Option<usize> {
     let corners = surface.triangles[number].map(|n| surface.points[n as usize]);
     let lengths = [0, 1, 2].map(|n| corners[n].distance(corners[(n + 1) % 3]));
@@ -49,8 +51,8 @@ fn long_edge(surface: &Mesh, number: usize, height: f64) -> Option<usize> {
     (area < height * lengths[longest]).then_some(longest)
 }
 
-/// Replaces the edge that a sliver shares with another triangle by that between their other corners, if that leaves no triangle
-/// worse than before.
+/// Replaces the edge that a sliver shares with another triangle by that between their other corners, if that
+/// leaves no triangle worse than before.
 fn flip(
     surface: &mut Mesh,
     [sliver, other]: [usize; 2],

@@ -115,8 +115,8 @@ impl<'a> RowConstants<'a> {
     }
 }
 
-/// Runs of cells of one material in some columns of a row, with the number of the material; `material` has that of each cell,
-/// and is empty where there is one alone.
+/// Runs of cells of one material in some columns of a row, with the number of the material; `material` has
+/// that of each cell, and is empty where there is one alone.
 pub(crate) fn runs(
     material: &[u8],
     columns: Range<usize>,

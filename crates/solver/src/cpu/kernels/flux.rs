@@ -1,5 +1,5 @@
-//! The soil volume that crosses the faces of cells in a sweep along one axis, from the surface that is reconstructed in each
-//! partly filled cell.
+//! The soil volume that crosses the faces of cells in a sweep along one axis, from the surface that is
+//! reconstructed in each partly filled cell.
 
 use super::transport::Sweep;
 use super::{FULL, Real};
@@ -51,15 +51,16 @@ impl FluxInputs<'_> {
         });
     }
 
-    /// Normal of the surface in a cell, from soil to void, in unit-cell coordinates: from the heights of the columns round
-    /// it where the surface is a graph there, else from the smoothed gradient of the volume fraction.
+    /// Normal of the surface in a cell, from soil to void, in unit-cell coordinates: from the heights of the
+    /// columns round it where the surface is a graph there, else from the smoothed gradient of the volume
+    /// fraction.
     fn normal(&self, c: usize) -> [f64; 3] {
         let youngs = self.normal_from_gradient(c);
         self.normal_from_heights(c, youngs).unwrap_or(youngs)
     }
 
-    /// Second-order normal from the heights of soil in the four columns beside the cell (Cummins, Francois & Kothe 2005);
-    /// `None` where a column does not reach from full to void within two cells up and down.
+    /// Second-order normal from the heights of soil in the four columns beside the cell (Cummins, Francois &
+    /// Kothe 2005); `None` where a column does not reach from full to void within two cells up and down.
     fn normal_from_heights(&self, c: usize, rough: [f64; 3]) -> Option<[f64; 3]> {
         const REACH: usize = 2;
         let size = rough.map(f64::abs);
@@ -102,8 +103,8 @@ impl FluxInputs<'_> {
         Some(normal)
     }
 
-    /// Normal from the gradient of the volume fraction over 27 cells (Youngs 1984); neighbours outside the grid are taken
-    /// equal to the cells inside.
+    /// Normal from the gradient of the volume fraction over 27 cells (Youngs 1984); neighbours outside the
+    /// grid are taken equal to the cells inside.
     fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
         let grid = self.sweep.grid;
         let layers = grid.layers_of(c);

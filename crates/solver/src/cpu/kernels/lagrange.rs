@@ -1,9 +1,9 @@
 //! The Lagrangian stage: the soil deforms, the grid stays.
 //!
-//! The rows of each portion are processed in memory order: a worker strains a row of cells, then moves the row of nodes
-//! before it while the forces are still in the cache. Old and new velocities are separate arrays, so no
-//! worker reads what another writes. Only the first rows of nodes of each portion, one more than a plane has,
-//! must wait for the cells below or behind them, which belong to another portion.
+//! The rows of each portion are processed in memory order: a worker strains a row of cells, then moves the
+//! row of nodes before it while the forces are still in the cache. Old and new velocities are separate
+//! arrays, so no worker reads what another writes. Only the first rows of nodes of each portion, one more
+//! than a plane has, must wait for the cells below or behind them, which belong to another portion.
 
 use super::cells::{CellRow, MaterialConstants, RowConstants, cells_of, runs};
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
@@ -56,7 +56,8 @@ const REBALANCES: u64 = 64;
 
 /// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the
 /// step, velocities without contact half a step later. Dissipation and displacements are left in the sums by
-/// row. Calls `known(nodes, velocities before)` as soon as the nodes of this block that contact needs are moved.
+/// row. Calls `known(nodes, velocities before)` as soon as the nodes of this block that contact needs are
+/// moved.
 pub(crate) fn lagrange(
     model: &Model,
     state: &mut State,
@@ -98,8 +99,8 @@ enum Turn {
 }
 
 impl Turn {
-    /// The portions that are strained, those among which forces are passed on, and those whose first nodes have all their forces then;
-    /// of so many far ones among all.
+    /// The portions that are strained, those among which forces are passed on, and those whose first nodes
+    /// have all their forces then; of so many far ones among all.
     fn portions(self, far: usize, all: usize) -> [Range<usize>; 3] {
         match self {
             Self::All => [0..all, 0..all, 0..all],
@@ -239,7 +240,8 @@ fn pass_forces_on(slices: &mut [PortionSlice]) {
     }
 }
 
-/// Moves the nodes of a slice that had to wait for the cells below and behind them, and adds up the sums of its rows.
+/// Moves the nodes of a slice that had to wait for the cells below and behind them, and adds up the sums of
+/// its rows.
 fn move_waiting(inputs: &Inputs, slice: &mut PortionSlice) {
     let lengths @ [row, _] = [inputs.grid.stride[1], inputs.grid.padded_nodes()];
     for n in 0..inputs.waiting(slice) {

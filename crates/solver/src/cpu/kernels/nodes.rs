@@ -159,8 +159,8 @@ pub(crate) fn finish_row(
     sums.displacement_light = lane_max(light).into();
 }
 
-/// For each node: work of gravity, kinetic energy, and the largest component of the displacement over the aspect of the
-/// cells, separately for heavy and light nodes.
+/// For each node: work of gravity, kinetic energy, and the largest component of the displacement over the
+/// aspect of the cells, separately for heavy and light nodes.
 #[inline(always)]
 fn measure_nodes(
     constants: &NodeConstants,

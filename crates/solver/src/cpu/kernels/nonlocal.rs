@@ -1,8 +1,9 @@
 //! The nonlocal relative density of soil with a characteristic length, which regularises its softening.
 //!
-//! Volume of the soil and relative density are averaged with the weight exp(−r²/l²), l the length, by compact passes of
-//! conservative diffusion along each axis: no soil is averaged beyond walls and planes of symmetry, cells may have any widths,
-//! and blocks only need their neighbours. A cell keeps [`OVERWEIGHT`] times what the average differs by from its own value.
+//! Volume of the soil and relative density are averaged with the weight exp(−r²/l²), l the length, by compact
+//! passes of conservative diffusion along each axis: no soil is averaged beyond walls and planes of symmetry,
+//! cells may have any widths, and blocks only need their neighbours. A cell keeps [`OVERWEIGHT`] times what
+//! the average differs by from its own value.
 
 use super::physics::law::Law;
 use super::physics::sand::Sand;
@@ -13,7 +14,8 @@ use crate::halo::Halo;
 use crate::halo::filling::{At, fill};
 use crate::model::Model;
 
-/// Weight of the average in the nonlocal value. Above 1 it limits the width of bands from below (Vermeer & Brinkgreve 1994).
+/// Weight of the average in the nonlocal value. Above 1 it limits the width of bands from below (Vermeer &
+/// Brinkgreve 1994).
 const OVERWEIGHT: Real = 1.5;
 /// Largest diffusion number of a pass: above ½ it would not be monotonic; ⅓ averages three cells alike.
 const MOST_DIFFUSION: f64 = 1.0 / 3.0;
@@ -77,7 +79,8 @@ impl Averaged<'_> {
         ((1..=ny).contains(&q) && (1..=nz).contains(&plane)).then_some([q, plane])
     }
 
-    /// Calls `job(cell, index in the row, volume of the cell)` for each cell of a row that holds soil of the material.
+    /// Calls `job(cell, index in the row, volume of the cell)` for each cell of a row that holds soil of the
+    /// material.
     #[inline(always)]
     fn cells_of_row(
         &self,

@@ -47,8 +47,8 @@ impl Inputs<'_> {
     }
 }
 
-/// Removes debris, closes gaps that stand under pressure, returns stresses to the yield surface; in the `active` rows, the
-/// only ones with soil. Volume [m³] and mass [kg] of the debris are in the rows' values.
+/// Removes debris, closes gaps that stand under pressure, returns stresses to the yield surface; in the
+/// `active` rows, the only ones with soil. Volume [m³] and mass [kg] of the debris are in the rows' values.
 pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut Workspace, active: &[bool]) {
     let Workspace {
         team,
@@ -115,7 +115,8 @@ fn update_slice(inputs: &Inputs, slice: &mut PortionSlice) {
     }
 }
 
-/// Volume fractions of a row of cells from their volumes of soil; returns volume and mass of the debris, which is removed.
+/// Volume fractions of a row of cells from their volumes of soil; returns volume and mass of the debris,
+/// which is removed.
 fn new_fractions(
     inputs: &Inputs,
     [r, q, plane]: [usize; 3],
@@ -174,7 +175,8 @@ fn update_cells(constants: &RowConstants, cells: &mut CellRow, columns: Range<us
     }
 }
 
-/// Soil with a gap was mixed with soil under pressure: lets the pressure close the gap, or its volume is lost. Soil looser than it can be has a gap.
+/// Soil with a gap was mixed with soil under pressure: lets the pressure close the gap, or its volume is
+/// lost. Soil looser than it can be has a gap.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let (start, n) = (b.start, b.n.min(BLOCK));

@@ -14,7 +14,8 @@ use super::{LANES, Real};
 use crate::fields::{INTACT_STRENGTH, NONLOCAL_DENSITY, PLASTIC_STRAIN, PRECONSOLIDATION, STRESS_RATIO};
 use multiversion::multiversion;
 
-/// Mean of the stresses before and after a step: with it the sum of the work over steps is exact for central differences.
+/// Mean of the stresses before and after a step: with it the sum of the work over steps is exact for central
+/// differences.
 #[inline(always)]
 fn middle(old: Symmetric, new: Symmetric) -> Symmetric {
     let mut middle: Symmetric = [0.0; 6];
@@ -56,8 +57,8 @@ pub(super) fn apply(
     }
 }
 
-/// Returns the stresses of a block to the yield surface of one law. Most cells are elastic; those that yield are packed, so that the vectors of the
-/// return mapping are full.
+/// Returns the stresses of a block to the yield surface of one law. Most cells are elastic; those that yield
+/// are packed, so that the vectors of the return mapping are full.
 #[inline(always)]
 fn apply_law<L: YieldLaw>(
     constants: &RowConstants,
@@ -125,7 +126,8 @@ fn menetrey_willam(
 fn sand(constants: &RowConstants, law: &Sand, cells: &mut CellRow, b: &mut Block) -> usize {
     // Copies, which nothing written in the loops can change.
     let (law, elastic) = (*law, constants.material.elastic);
-    // What is not stored of the work is dissipated, in elastic cells too: their moduli change with the pressure.
+    // What is not stored of the work is dissipated, in elastic cells too: their moduli change with the
+    // pressure.
     let dissipation = |old: Symmetric, trial: Symmetric, new: Symmetric| {
         let strained = std::array::from_fn(|c| trial[c] - old[c]);
         elastic.compliance(middle(old, new), strained) / law.stiffening.factor(-mean(old)) + law.energy(old)

@@ -225,8 +225,8 @@ fn cut_off_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real]
     }
 }
 
-/// Adds the pore pressure to the stresses that act on the nodes, in all soil: unlike the grains, the water in it bears pressure
-/// across an open gap, too. Returns the power that goes into the water [W].
+/// Adds the pore pressure to the stresses that act on the nodes, in all soil: unlike the grains, the water in
+/// it bears pressure across an open gap, too. Returns the power that goes into the water [W].
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn add_pore_pressure(constants: &RowConstants, cells: &CellRow, b: &mut Block) -> f64 {
     let (start, n) = (b.start, b.n.min(BLOCK));

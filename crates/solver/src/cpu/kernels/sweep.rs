@@ -1,7 +1,7 @@
 //! One sweep of a remap: volume, mass, stress and history, and momentum are carried along one axis.
 //!
-//! The volume fraction is carried with a reconstructed interface, stress and history with the soil volume at second
-//! order, momentum on the dual grid.
+//! The volume fraction is carried with a reconstructed interface, stress and history with the soil volume at
+//! second order, momentum on the dual grid.
 
 use super::flux::FluxInputs;
 use super::transport::{Sweep, carry_mass, carry_momentum, dual_fluxes, dual_reaches};
@@ -65,8 +65,8 @@ fn swollen(grid: &Grid, displacement: &[Vec<Real>; 3], [i, j, k]: [usize; 3]) ->
     gain
 }
 
-/// One sweep: volume, mass, stress and history, momentum. Arrays that have served their purpose make room for others: the
-/// displacement along the axis for the reaches, the volume fractions for what is being carried.
+/// One sweep: volume, mass, stress and history, momentum. Arrays that have served their purpose make room for
+/// others: the displacement along the axis for the reaches, the volume fractions for what is being carried.
 pub(crate) fn sweep(
     model: &Model,
     state: &mut State,
@@ -125,8 +125,8 @@ pub(crate) fn sweep(
     team.rows(partition, node_mass, |row, out| carry_mass(grid, axis, row, flux, out));
 }
 
-/// Lets nothing into the `filled` cells, in the order of the memory, but from one into another: to the nodes a surface within a cell is
-/// none, and what they drive into the body stays before it.
+/// Lets nothing into the `filled` cells, in the order of the memory, but from one into another: to the nodes
+/// a surface within a cell is none, and what they drive into the body stays before it.
 fn close(filled: &[usize], stride: usize, flux: &mut [Real]) {
     let is_filled = |cell: usize| filled.binary_search(&cell).is_ok();
     for &low in filled {

@@ -1,9 +1,9 @@
 //! Transport along one axis: what the soil carries that crosses the faces.
 //!
-//! All functions work on one row of cells (or nodes), given by its number, and read whole arrays; they write only
-//! the row they are given.
-//! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it, those of dual
-//! faces at the node below. Rows are gone through with their ghosts, through which nothing flows.
+//! All functions work on one row of cells (or nodes), given by its number, and read whole arrays; they write
+//! only the row they are given. "Low face" of a cell is the one towards smaller coordinates; face values are
+//! kept at the cell above it, those of dual faces at the node below. Rows are gone through with their ghosts,
+//! through which nothing flows.
 
 use super::Real;
 use super::physics::limiter::monotonised_central;
@@ -37,8 +37,8 @@ impl Sweep<'_> {
         }
     }
 
-    /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean displacement of its four
-    /// nodes.
+    /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean
+    /// displacement of its four nodes.
     #[inline(always)]
     pub(crate) fn swept(&self, u: &[Real], n: usize, layers: [usize; 3]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
@@ -48,8 +48,8 @@ impl Sweep<'_> {
         0.25 * area * ((u(n) + u(n + a)) + (u(n + b) + u(n + a + b)))
     }
 
-    /// Takes off what the high faces of a row of cells sweep and adds what the low ones do: new volumes of the displaced
-    /// cells.
+    /// Takes off what the high faces of a row of cells sweep and adds what the low ones do: new volumes of
+    /// the displaced cells.
     pub(crate) fn undo_displacement(&self, row: usize, displacement: &[Real], cell: &mut [Real]) {
         let Self { grid, axis, .. } = *self;
         let Some([j, k]) = self.layers(row) else { return };
@@ -79,15 +79,17 @@ impl Sweep<'_> {
         }
     }
 
-    /// How far along its slope, in cells, the value carried through the low faces of a row lies from the middle of the
-    /// donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour holds little soil.
+    /// How far along its slope, in cells, the value carried through the low faces of a row lies from the
+    /// middle of the donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour
+    /// holds little soil.
     pub(crate) fn reaches(&self, row: usize, [flux, fraction, soil]: [&[Real]; 3], out: &mut [Real]) {
         if let Some(row) = self.active(row) {
             reach_row(row.of(flux), row.round(fraction), row.round(soil), out);
         }
     }
 
-    /// Mass that crosses the low faces of a row of cells [kg], with `soil` volumes as they were before the sweep.
+    /// Mass that crosses the low faces of a row of cells [kg], with `soil` volumes as they were before the
+    /// sweep.
     pub(crate) fn mass_fluxes(
         &self,
         row: usize,
@@ -181,8 +183,8 @@ impl Row {
     }
 }
 
-/// Value carried over a face by `flux`, from the values in the two cells below it and the two above: the donor's, moved
-/// by `reach` of its limited slope.
+/// Value carried over a face by `flux`, from the values in the two cells below it and the two above: the
+/// donor's, moved by `reach` of its limited slope.
 #[inline(always)]
 fn carried([far_low, low, high, far_high]: [Real; 4], flux: Real, reach: Real) -> Real {
     let forward = flux > 0.0;
@@ -192,8 +194,8 @@ fn carried([far_low, low, high, far_high]: [Real; 4], flux: Real, reach: Real) -
     own + reach * monotonised_central(behind, ahead)
 }
 
-/// Takes off the volumes swept by the high faces of a row and adds those by the low ones; the faces' areas are `across` times
-/// the widths along x, if there are any.
+/// Takes off the volumes swept by the high faces of a row and adds those by the low ones; the faces' areas
+/// are `across` times the widths along x, if there are any.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn undo_row([low, high]: [[&[Real]; 4]; 2], x_faces: Option<&[f64]>, across: f64, cell: &mut [Real]) {
     let n = cell.len();
@@ -283,7 +285,8 @@ fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     }
 }
 
-/// How far the flux of a donor reaches, like [`Sweep::reaches`], for the dual faces above a row of nodes: 0 where a neighbour of the donor has no mass.
+/// How far the flux of a donor reaches, like [`Sweep::reaches`], for the dual faces above a row of nodes: 0
+/// where a neighbour of the donor has no mass.
 pub(crate) fn dual_reaches(
     grid: &Grid,
     axis: usize,

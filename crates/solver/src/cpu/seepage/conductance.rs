@@ -1,4 +1,5 @@
-//! Which cells have a pore pressure of their own, and how well water flows between them. Found anew when soil and bodies have moved.
+//! Which cells have a pore pressure of their own, and how well water flows between them. Found anew when soil
+//! and bodies have moved.
 
 use super::SeepageWorkspace;
 use crate::fields::Soil;
@@ -6,23 +7,26 @@ use crate::grid::Grid;
 use crate::model::Model;
 use crate::scalar::Scalar;
 
-/// Portion of the room outside the bodies that soil fills in a cell with a pore pressure of its own; with less, it is open water.
+/// Portion of the room outside the bodies that soil fills in a cell with a pore pressure of its own; with
+/// less, it is open water.
 const LEAST_FILLED: f64 = 0.5;
 
-/// Portion of a cell outside the bodies up to which it is no open water, whatever soil fills of it: a void in so thin a slice beside
-/// a body is an error of the volume fractions. The pressure must act in all of its soil, as the contact impulses do.
+/// Portion of a cell outside the bodies up to which it is no open water, whatever soil fills of it: a void in
+/// so thin a slice beside a body is an error of the volume fractions. The pressure must act in all of its
+/// soil, as the contact impulses do.
 const SLICE: f64 = 0.25;
 
-/// Least distance between the middle of a cell and open water, in cell widths. A cell that is half full has its middle in the
-/// surface; a distance of zero would be no worse an approximation, but could not be divided by.
+/// Least distance between the middle of a cell and open water, in cell widths. A cell that is half full has
+/// its middle in the surface; a distance of zero would be no worse an approximation, but could not be divided
+/// by.
 const LEAST_DISTANCE: f64 = 0.1;
 
-/// Density over that of the undeformed soil below which grains float in open water: they hold no pressure, which would accelerate so
-/// little mass without bound.
+/// Density over that of the undeformed soil below which grains float in open water: they hold no pressure,
+/// which would accelerate so little mass without bound.
 const LEAST_DENSITY: f64 = 0.5;
 
-/// Finds the conductances from volume fractions and masses of the soil, with the volume fractions of bodies in
-/// `workspace.body_fraction`.
+/// Finds the conductances from volume fractions and masses of the soil, with the volume fractions of bodies
+/// in `workspace.body_fraction`.
 pub(crate) fn find<R: Scalar>(model: &Model, soil: &Soil<R>, workspace: &mut SeepageWorkspace) {
     let SeepageWorkspace { conductance, diagonal, body_fraction, .. } = workspace;
     let Soil { fraction, mass, .. } = soil;
@@ -86,8 +90,9 @@ impl<R: Scalar> Cells<'_, R> {
         fraction > 0.0 && holds && (self.open(cell) <= SLICE || self.filled(cell) >= LEAST_FILLED)
     }
 
-    /// Flow between a saturated cell and its neighbour along an axis, at the low end (0) or the high end (1); `None` where a wall, a
-    /// plane of symmetry or a body lies between. Beyond open boundaries lies ground without excess pore pressure.
+    /// Flow between a saturated cell and its neighbour along an axis, at the low end (0) or the high end (1);
+    /// `None` where a wall, a plane of symmetry or a body lies between. Beyond open boundaries lies ground
+    /// without excess pore pressure.
     fn flow(&self, layers: [usize; 3], axis: usize, end: usize) -> Option<Flow> {
         let mut beyond = layers;
         beyond[axis] = if end == 1 { layers[axis] + 1 } else { layers[axis].checked_sub(1)? };

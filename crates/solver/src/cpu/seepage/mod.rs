@@ -1,7 +1,7 @@
 //! Flow of pore water between the cells: the loops behind [`crate::pore_pressure`].
 //!
-//! Pressures are those of cells, in double precision whatever the precision of the soil. All sums are taken row by row, then in
-//! the order of the rows, so that no bit depends on the number of threads.
+//! Pressures are those of cells, in double precision whatever the precision of the soil. All sums are taken
+//! row by row, then in the order of the rows, so that no bit depends on the number of threads.
 
 mod conductance;
 mod rows;
@@ -16,13 +16,15 @@ use crate::model::Model;
 /// Number of arrays over the grid in a workspace.
 const ARRAYS: usize = 11;
 
-/// Conductances between the cells, and scratch memory of the conjugate gradients. Arrays cover the grid with its ghosts (see
-/// [`Grid::index`]), and are empty where no pore pressure is computed.
+/// Conductances between the cells, and scratch memory of the conjugate gradients. Arrays cover the grid with
+/// its ghosts (see [`Grid::index`]), and are empty where no pore pressure is computed.
 #[derive(Debug, Default)]
 pub(crate) struct SeepageWorkspace {
-    /// Area over distance between each cell and the next one along x, y, z [m]; 0 where no water flows between the two.
+    /// Area over distance between each cell and the next one along x, y, z [m]; 0 where no water flows
+    /// between the two.
     conductance: [Vec<f64>; 3],
-    /// Sum of the conductances of a cell, with those to open water [m]; 0 in cells without a pore pressure of their own.
+    /// Sum of the conductances of a cell, with those to open water [m]; 0 in cells without a pore pressure of
+    /// their own.
     diagonal: Vec<f64>,
     /// Inverse of it where the pressure is sought [1/m]; 0 elsewhere, and in cells whose water cavitates.
     inverse: Vec<f64>,
@@ -56,8 +58,8 @@ impl SeepageWorkspace {
         }
     }
 
-    /// Whether a cell has a pore pressure of its own: soil that is not mixed with open water, and connected to other such soil or to
-    /// open water.
+    /// Whether a cell has a pore pressure of its own: soil that is not mixed with open water, and connected
+    /// to other such soil or to open water.
     pub(crate) fn is_saturated(&self, cell: usize) -> bool {
         self.diagonal[cell] > 0.0
     }
@@ -70,7 +72,8 @@ impl SeepageWorkspace {
         }
     }
 
-    /// Enters the rates at which gaps grow between bodies and cells [m³/s], which take in water as soil does that expands.
+    /// Enters the rates at which gaps grow between bodies and cells [m³/s], which take in water as soil does
+    /// that expands.
     pub(crate) fn open_gaps(&mut self, gaps: impl Iterator<Item = (usize, f64)>) {
         self.openings.fill(0.0);
         gaps.for_each(|(cell, rate)| self.openings[cell] += rate);

@@ -3,9 +3,10 @@
 use crate::scalar::Scalar;
 use multiversion::multiversion;
 
-/// What flows out of the cells of a row at some pressures: of each cell the sum of conductance times difference over its
-/// neighbours. `at` and `conductance` hold the whole grid, the cells begin at `start`; `stride` leads to the next ones along y, z.
-/// The two neighbours along an axis are added first, so that a mirrored case gives mirrored sums.
+/// What flows out of the cells of a row at some pressures: of each cell the sum of conductance times
+/// difference over its neighbours. `at` and `conductance` hold the whole grid, the cells begin at `start`;
+/// `stride` leads to the next ones along y, z. The two neighbours along an axis are added first, so that a
+/// mirrored case gives mirrored sums.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(super) fn outflow(
     at: &[f64],
@@ -33,8 +34,9 @@ pub(super) fn outflow(
     }
 }
 
-/// Rate at which the volume of the soil in each cell of a row grows [m³/s], from the velocities of the four rows of nodes round
-/// it, as the Lagrangian stage strains it. Widths along x are those of the cells; `area` and `widths` those along y and z.
+/// Rate at which the volume of the soil in each cell of a row grows [m³/s], from the velocities of the four
+/// rows of nodes round it, as the Lagrangian stage strains it. Widths along x are those of the cells; `area`
+/// and `widths` those along y and z.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(super) fn expansion<R: Scalar>(
     velocity: &[Vec<R>; 3],
@@ -61,7 +63,8 @@ pub(super) fn expansion<R: Scalar>(
     }
 }
 
-/// Sum of the products of two rows, weighted: Σ a b w. In eight partial sums, in an order that does not depend on the compiler.
+/// Sum of the products of two rows, weighted: Σ a b w. In eight partial sums, in an order that does not
+/// depend on the compiler.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(super) fn weighted(a: &[f64], b: &[f64], w: &[f64]) -> f64 {
     let n = a.len();

@@ -11,8 +11,8 @@ use crate::model::{Model, PoreWater};
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// Portion of the water that soil takes in or gives off in a step by which the balance of its flow may be off: a root mean square, with
-/// the inverse conductances as weights. What is left goes into the next step.
+/// Portion of the water that soil takes in or gives off in a step by which the balance of its flow may be
+/// off: a root mean square, with the inverse conductances as weights. What is left goes into the next step.
 const TOLERANCE: f64 = 0.02;
 
 /// Most iterations in a step.
@@ -32,8 +32,9 @@ pub(crate) struct Balance<'a> {
 
 impl Balance<'_> {
     /// Changes the pore pressures so that water flows in where the soil expands with its present velocities:
-    /// (M + T) A Δp = −f V div v − M A p, with A what flows out of the cells per mobility, M the mobility, and T the inertia of the soil.
-    /// Returns 0, or, where the balance cannot be met, how far it is off over what is allowed.
+    /// (M + T) A Δp = −f V div v − M A p, with A what flows out of the cells per mobility, M the mobility,
+    /// and T the inertia of the soil. Returns 0, or, where the balance cannot be met, how far it is off over
+    /// what is allowed.
     pub(crate) fn solve<R: Scalar>(
         &self,
         state: &mut State<R>,
@@ -67,8 +68,8 @@ impl Balance<'_> {
         if left > enough { (left / enough).sqrt() } else { 0.0 }
     }
 
-    /// Starts from the change of the last step, and puts what it and the present pressures make flow together into `direction`
-    /// [m²/s].
+    /// Starts from the change of the last step, and puts what it and the present pressures make flow together
+    /// into `direction` [m²/s].
     fn guess<R: Scalar>(&self, state: &State<R>, soil: &SoilWorkspace<R>, workspace: &mut SeepageWorkspace) {
         let SoilWorkspace { team, partition, row_has_soil, .. } = soil;
         let [pressure, ahead] = [PORE_PRESSURE, PORE_PRESSURE_AHEAD].map(|h| &state.soil.history[h]);
@@ -89,8 +90,8 @@ impl Balance<'_> {
         });
     }
 
-    /// The residual of the guess, and where the pressure is sought. Sums over the rows: the square of the residual, and that of the
-    /// expansion of the soil.
+    /// The residual of the guess, and where the pressure is sought. Sums over the rows: the square of the
+    /// residual, and that of the expansion of the soil.
     fn find_residual<R: Scalar>(
         &self,
         state: &State<R>,
@@ -146,7 +147,8 @@ impl Balance<'_> {
         });
     }
 
-    /// The new pressures, and those extrapolated to the next step; water cavitates rather than bear more tension.
+    /// The new pressures, and those extrapolated to the next step; water cavitates rather than bear more
+    /// tension.
     fn finish<R: Scalar>(&self, state: &mut State<R>, soil: &SoilWorkspace<R>, workspace: &SeepageWorkspace) {
         let grid = &self.model.grid;
         let SoilWorkspace { team, partition, row_has_soil, .. } = soil;

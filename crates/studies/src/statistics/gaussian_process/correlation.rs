@@ -13,13 +13,15 @@ pub(super) struct Correlation {
 }
 
 impl Correlation {
-    /// c = (1 + √5 r + 5/3 r²) exp(−√5 r), r² = Σ (Δ_k / ℓ_k)². Source: Rasmussen & Williams (2006), eq. (4.17).
+    /// c = (1 + √5 r + 5/3 r²) exp(−√5 r), r² = Σ (Δ_k / ℓ_k)². Source: Rasmussen & Williams (2006), eq.
+    /// (4.17).
     pub(super) fn between(&self, a: &[f64], b: &[f64]) -> f64 {
         let s = ROOT * self.squared(a, b).sqrt();
         (1.0 + s + s * s / 3.0) * (-s).exp()
     }
 
-    /// The correlation and what all its derivatives share: ∂c/∂(ln ℓ_k) is the second number times (Δ_k / ℓ_k)².
+    /// The correlation and what all its derivatives share: ∂c/∂(ln ℓ_k) is the second number times (Δ_k /
+    /// ℓ_k)².
     pub(super) fn with_slope(&self, a: &[f64], b: &[f64]) -> (f64, f64) {
         let s = ROOT * self.squared(a, b).sqrt();
         let decay = (-s).exp();

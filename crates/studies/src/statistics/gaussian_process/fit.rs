@@ -18,11 +18,13 @@ const MOST_POINTS: usize = 2000;
 
 /// Fits a Gaussian process to the values of a response at inputs, `n × factors` numbers in any units.
 ///
-/// Deterministic. Of more than 250 points as many are drawn for lengths and nugget; of more than 2000 the process itself keeps as many.
+/// Deterministic. Of more than 250 points as many are drawn for lengths and nugget; of more than 2000 the
+/// process itself keeps as many.
 ///
 /// # Errors
-/// [`StatisticsError`] for fewer than five points or than factors and two, lists that do not agree, numbers that are not finite, inputs
-/// or values that are all equal, and data whose covariance is not positive definite.
+/// [`StatisticsError`] for fewer than five points or than factors and two, lists that do not agree, numbers
+/// that are not finite, inputs or values that are all equal, and data whose covariance is not positive
+/// definite.
 pub fn fit(inputs: &[Vec<f64>], values: &[f64]) -> Result<GaussianProcess, StatisticsError> {
     let factors = inputs.first().map_or(0, Vec::len);
     check(inputs, values, LEAST_POINTS.max(factors + MORE_THAN_FACTORS), "a surrogate")?;
@@ -42,7 +44,8 @@ pub fn fit(inputs: &[Vec<f64>], values: &[f64]) -> Result<GaussianProcess, Stati
     GaussianProcess::of(scaling, data, correlation).ok_or(StatisticsError::NotPositiveDefinite)
 }
 
-/// At most `most` of the numbers below `count`, in order, drawn at random: a fixed stride would alias with the design.
+/// At most `most` of the numbers below `count`, in order, drawn at random: a fixed stride would alias with
+/// the design.
 fn drawn(count: usize, most: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     if count > most {

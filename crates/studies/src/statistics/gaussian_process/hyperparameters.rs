@@ -4,12 +4,15 @@ use super::correlation::Correlation;
 use super::projection::{Data, Projection};
 use numerics::quasi_newton::minimise;
 
-/// The smallest nugget (chosen): it keeps the matrix positive definite and is far below any scatter of results.
+/// The smallest nugget (chosen): it keeps the matrix positive definite and is far below any scatter of
+/// results.
 const LEAST_NUGGET: f64 = 1e-10;
-/// Deviation of the logarithm of a length under its prior; the prior's median is the diagonal of the unit cube, √d. Source:
-/// Hvarfner, Hellsten & Nardi (2024), *Vanilla Bayesian Optimization Performs Great in High Dimensions*.
+/// Deviation of the logarithm of a length under its prior; the prior's median is the diagonal of the unit
+/// cube, √d. Source: Hvarfner, Hellsten & Nardi (2024), *Vanilla Bayesian Optimization Performs Great in High
+/// Dimensions*.
 const LENGTH_DEVIATION: f64 = 1.732_050_807_568_877_2;
-/// Median of the nugget under its prior, and the deviation of its logarithm (chosen): noise must show to be believed.
+/// Median of the nugget under its prior, and the deviation of its logarithm (chosen): noise must show to be
+/// believed.
 const NUGGET: [f64; 2] = [1e-5, 3.0];
 /// Where searches start: lengths over their median, nugget (chosen): smooth, short, and noisy.
 const STARTS: [[f64; 2]; 3] = [[1.0, 1e-6], [0.25, 1e-3], [2.0, 0.1]];
@@ -39,8 +42,8 @@ fn correlation(place: &[f64]) -> Correlation {
 
 /// Minus the logarithm of the restricted likelihood and of the priors, and its gradient.
 ///
-/// ½ [(n − p) ln yᵀPy + ln |R| + ln |HᵀR⁻¹H|], without constants: Rasmussen & Williams (2006), eq. (2.45), with σ² at its optimum; the
-/// gradient ½ [tr(P ∂R) − (n − p) yᵀP ∂R P y / yᵀPy] as in their eq. (5.9).
+/// ½ [(n − p) ln yᵀPy + ln |R| + ln |HᵀR⁻¹H|], without constants: Rasmussen & Williams (2006), eq. (2.45),
+/// with σ² at its optimum; the gradient ½ [tr(P ∂R) − (n − p) yᵀP ∂R P y / yᵀPy] as in their eq. (5.9).
 fn objective(data: &Data, place: &[f64]) -> Option<(f64, Vec<f64>)> {
     let correlation = correlation(place);
     let projection = Projection::of(data, &correlation)?;

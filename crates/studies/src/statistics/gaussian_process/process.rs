@@ -6,7 +6,8 @@ use super::projection::{Data, Projection};
 use super::scaling::Scaling;
 use numerics::symmetric::dot;
 
-/// The predictivity Q² from which on a surrogate may stand for the response (chosen; usual in practice: 0.7 to 0.8).
+/// The predictivity Q² from which on a surrogate may stand for the response (chosen; usual in practice: 0.7
+/// to 0.8).
 pub const LEAST_PREDICTIVITY: f64 = 0.7;
 /// The least portion of a point that others leave open, below which they cannot predict it (chosen).
 const SMALLEST_DIAGONAL: f64 = 1e-9;
@@ -62,9 +63,11 @@ impl GaussianProcess {
         })
     }
 
-    /// The response at an input, given in the factors of the fit, with the deviation of the response itself, without noise.
+    /// The response at an input, given in the factors of the fit, with the deviation of the response itself,
+    /// without noise.
     ///
-    /// Not a number where coordinates are missing. Source: Rasmussen & Williams (2006), eq. (2.41) and (2.42).
+    /// Not a number where coordinates are missing. Source: Rasmussen & Williams (2006), eq. (2.41) and
+    /// (2.42).
     #[must_use]
     pub fn predict(&self, input: &[f64]) -> Predicted {
         let (correlations, basis) = self.seen(input);
@@ -91,8 +94,8 @@ impl GaussianProcess {
         self.combined(&correlations, &basis)
     }
 
-    /// Q² = 1 − Σ (y_i − ŷ₋ᵢ)² / Σ (y_i − ȳ)², with ŷ₋ᵢ predicted without point i, hyperparameters unchanged: 1 for a surrogate that
-    /// predicts perfectly, 0 for one no better than the mean. [–]
+    /// Q² = 1 − Σ (y_i − ŷ₋ᵢ)² / Σ (y_i − ȳ)², with ŷ₋ᵢ predicted without point i, hyperparameters unchanged:
+    /// 1 for a surrogate that predicts perfectly, 0 for one no better than the mean. [–]
     ///
     /// Source: Dubrule (1983), Math. Geol. 15, eq. (9) and following.
     #[must_use]
@@ -157,7 +160,8 @@ impl GaussianProcess {
     }
 }
 
-/// The prediction of each point from all others, in scaled values: the residual is (P y)_i / P_ii, its variance σ² / P_ii.
+/// The prediction of each point from all others, in scaled values: the residual is (P y)_i / P_ii, its
+/// variance σ² / P_ii.
 fn leave_one_out(data: &Data, projection: &Projection, variance: f64) -> Vec<Predicted> {
     let matrix = projection.matrix(data);
     let predicted = |(i, y): (usize, &f64)| {

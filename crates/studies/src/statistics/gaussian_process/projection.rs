@@ -1,9 +1,11 @@
-//! What data and hyperparameters determine: σ², the trend β, and P = R⁻¹ − R⁻¹H (HᵀR⁻¹H)⁻¹ HᵀR⁻¹, which takes the trend out.
+//! What data and hyperparameters determine: σ², the trend β, and P = R⁻¹ − R⁻¹H (HᵀR⁻¹H)⁻¹ HᵀR⁻¹, which takes
+//! the trend out.
 
 use super::correlation::Correlation;
 use numerics::symmetric::{Cholesky, Square, dot};
 
-/// Keeps a response that the trend explains entirely from a variance of zero; of values with a deviation of one (chosen).
+/// Keeps a response that the trend explains entirely from a variance of zero; of values with a deviation of
+/// one (chosen).
 const LEAST_SQUARES: f64 = 1e-12;
 
 /// Scaled data.
