@@ -23,7 +23,6 @@ pub mod tables;
 mod view;
 pub mod vtk;
 
-pub(crate) use crate::readable as units;
 pub use crate::readable::digits;
 pub(crate) use confidence::{finished, make_variations_folder, variation_folder};
 pub use element::write_element_tests;

@@ -1,10 +1,10 @@
 //! Progress of a run: a bar on a terminal, occasional lines elsewhere.
 
-use super::units::{Unit, digits};
 use crate::case::Case;
 use crate::history::reference::Reference;
 use crate::history::{BodySample, History};
 use crate::printed::plain;
+use crate::readable::{Unit, digits};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};

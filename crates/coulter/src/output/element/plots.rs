@@ -2,7 +2,7 @@
 
 use crate::element::{ElementTests, PathPoint, TestKind, Tested};
 use crate::output::plots::{Chart, Curve};
-use crate::output::units::{Unit, digits, largest};
+use crate::readable::{Unit, digits, largest};
 
 /// File name and SVG text of every plot.
 pub(super) fn plots(tests: &ElementTests) -> Vec<(&'static str, String)> {

@@ -1,7 +1,7 @@
 //! The case in a few words, for the top of a report.
 
 use crate::case::resolved::{Attitude, Body, Case, Change, GROUND, Layer, Motion, Part, Soil, Stage, Until};
-use crate::output::units::{Unit, degrees, digits, quantity, stress};
+use crate::readable::{Unit, degrees, digits, quantity, stress};
 
 /// Soil and bodies, each as a name and a description.
 pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {

@@ -4,7 +4,7 @@ use crate::forecast::{Curves, Series};
 use crate::output::files::{Inside, OutputError, make_folder, write_json, write_whole};
 use crate::output::plots::{Chart, Curve, Stroke};
 use crate::output::tables::push_line;
-use crate::output::units::{Unit, largest};
+use crate::readable::{Unit, largest};
 use std::path::{Path, PathBuf};
 
 const MODELS: &str = "models.csv";

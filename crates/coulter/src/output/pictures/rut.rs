@@ -7,7 +7,7 @@ use crate::output::fields::HeightMap;
 use crate::output::files::{Inside, OutputError, write_whole};
 use crate::output::plots::{Chart, ColourMap, Curve, Stroke};
 use crate::output::tables::push_line;
-use crate::output::units::{digits, largest};
+use crate::readable::{digits, largest};
 use glam::DVec3;
 use mechanics::Pose;
 use solver::precision::Precision;

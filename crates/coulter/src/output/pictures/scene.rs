@@ -7,7 +7,7 @@ use crate::case::resolved::{Case, Ground};
 use crate::domain::PlacedDomain;
 use crate::output::fields::{CellView, reference_height};
 use crate::output::plots::ColourMap;
-use crate::output::units::Unit;
+use crate::readable::Unit;
 use glam::DVec3;
 use mechanics::{BodyState, Pose};
 use physics::shape::Shape;

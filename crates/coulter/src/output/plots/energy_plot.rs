@@ -4,7 +4,7 @@ use super::chart::Chart;
 use super::curve::{Curve, Stroke};
 use super::plot::Plot;
 use crate::history::EnergySample;
-use crate::output::units::{Unit, largest};
+use crate::readable::{Unit, largest};
 use crate::trust::Setting;
 
 /// An entry of the energy balance with its name.

@@ -7,7 +7,7 @@ use crate::history::BodySample;
 use crate::history::quantities::{NO_DRAG, Steady};
 use crate::history::reference::Reference;
 use crate::history::steady::{is_tow, moving_average};
-use crate::output::units::{Unit, digits, largest};
+use crate::readable::{Unit, digits, largest};
 
 /// Width of the moving average of the force curves, over the reference length d (chosen: suppresses fluctuations with the
 /// grid spacing, preserves changes over more than a cell width of tow).

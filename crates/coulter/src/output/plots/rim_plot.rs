@@ -5,7 +5,7 @@ use super::curve::{Curve, Stroke};
 use super::plot::Plot;
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
-use crate::output::units::{Unit, largest};
+use crate::readable::{Unit, largest};
 
 /// A quantity along the rim with its name.
 type Entry = (&'static str, fn(&RimLine) -> f64);

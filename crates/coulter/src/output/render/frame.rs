@@ -6,8 +6,8 @@ use super::options::{Colouring, RenderOptions, Viewpoint};
 use super::raster::{Fragment, Raster};
 use super::shadow::ShadowMap;
 use crate::output::pictures::{Anchor, Canvas, SUPERSAMPLING, Tone};
-use crate::output::units::digits;
 use crate::output::view::{RecordedBody, Recording};
+use crate::readable::digits;
 use glam::DVec3;
 
 /// Light of the sky on a level face, and of the sun on a face towards it.

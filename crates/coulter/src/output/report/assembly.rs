@@ -3,7 +3,7 @@
 use super::rows::{NONE, value};
 use super::summary::{ForceSummary, Summary};
 use crate::output::folder::{JointRecord, PartRecord, RunRecord};
-use crate::output::units::Unit;
+use crate::readable::Unit;
 use serde::Serialize;
 
 /// The bodies together: names and values of the forces.

@@ -6,7 +6,7 @@ use crate::history::RutSection;
 use crate::history::quantities::{NO_DRAG, Quantity, Steady, Traction};
 use crate::history::reference::Reference;
 use crate::history::rim::{RimPlace, SlipReversal};
-use crate::output::units::{Unit, digits};
+use crate::readable::{Unit, digits};
 
 /// Collects the rows of one body: a quantity with its unit, and its dimensionless group.
 struct BodyRows<'a> {

@@ -3,7 +3,7 @@
 use super::summary::Summary;
 use crate::confidence::{BodyConfidence, ConfidenceInterval, Contribution, Status, VariationResult};
 use crate::history::quantities::Quantity;
-use crate::output::units::{Unit, digits};
+use crate::readable::{Unit, digits};
 use serde::Serialize;
 
 /// A variation.

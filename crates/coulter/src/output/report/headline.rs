@@ -12,7 +12,7 @@ use crate::history::reference::Reference;
 use crate::history::steady::SteadyWindow;
 use crate::history::{BodySample, History};
 use crate::output::folder::RunRecord;
-use crate::output::units::{Unit, digits};
+use crate::readable::{Unit, digits};
 use crate::trust::{Check, Verdict};
 use serde::Serialize;
 

@@ -5,7 +5,7 @@ use super::summary::Summary;
 use crate::history::quantities::{Figures, Quantity};
 use crate::mesh_study::{BodyOnMesh, MeshInterval, MeshResult, MeshStudy, millimetres};
 use crate::output::plots::{MeshPlot, Plot};
-use crate::output::units::{Unit, digits};
+use crate::readable::{Unit, digits};
 use serde::Serialize;
 
 /// One mesh, with the figures of one body.

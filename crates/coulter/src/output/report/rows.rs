@@ -5,7 +5,7 @@ use crate::case::resolved::PLANE_STRAIN_WIDTH;
 use crate::history::quantities::Quantity;
 use crate::history::reference::Reference;
 use crate::output::folder::RunRecord;
-use crate::output::units::{Unit, digits};
+use crate::readable::{Unit, digits};
 use crate::trust::{Check, Trust, Verdict};
 use serde::Serialize;
 
