@@ -248,7 +248,7 @@ impl Quantity {
             Source::Derived(number) => number,
         };
         let mut blocks = [BodySample::default(); BLOCKS];
-        for place in BodySample::places() {
+        for place in FORCES.iter().filter_map(|column| column.source.place()) {
             blocks.iter_mut().zip(averages(place)?).for_each(|(block, average)| *place(block) = average);
         }
         let mut values = [0.0; BLOCKS];
@@ -369,11 +369,6 @@ pub struct BodySample {
 }
 
 impl BodySample {
-    /// Where each number of a sample stands.
-    pub(super) fn places() -> impl Iterator<Item = fn(&mut Self) -> &mut f64> {
-        FORCES.iter().filter_map(|column| column.source.place())
-    }
-
     /// Turn ratio ω r / v of a body with these reference quantities; `None` at rest, and where it cannot roll.
     #[must_use]
     pub fn turn_ratio(&self, reference: &Reference) -> Option<f64> {

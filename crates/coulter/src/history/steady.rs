@@ -1,6 +1,6 @@
 //! The steady window at the end of a run: its samples, their averages, and the noise of the drag.
 
-use super::quantities::{BodySample, NO_DRAG, Quantity, Steady, Traction, finite};
+use super::quantities::{BodySample, FORCES, NO_DRAG, Quantity, Steady, Traction, finite};
 use super::reference::Reference;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -160,7 +160,7 @@ fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize>) -
         sum / weights.iter().sum::<f64>()
     };
     let mut means = BodySample::default();
-    for place in BodySample::places() {
+    for place in FORCES.iter().filter_map(|column| column.source.place()) {
         *place(&mut means) = mean(&|s| *place(&mut { *s }));
     }
     let (first, last) = (&inside[0], &inside[inside.len() - 1]);
