@@ -213,7 +213,7 @@ fn noise(inside: &[BodySample], reference: &Reference, scale: f64) -> Option<f64
 }
 
 /// Moving average of `values` centred on each sample over a width of `width` along `along`, at least
-/// [`NOISE_SAMPLES`] samples. Centred and symmetric, hence without phase shift; shorter at the ends.
+/// `NOISE_SAMPLES` samples. Centred and symmetric, hence without phase shift; shorter at the ends.
 #[must_use]
 pub fn moving_average(along: &[f64], values: &[f64], width: f64) -> Vec<f64> {
     let count = along.len().min(values.len());
