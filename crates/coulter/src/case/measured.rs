@@ -221,8 +221,8 @@ fn plate(section: &Section, problems: &mut Problems) -> Option<Plate> {
     if !CONSTANTS.iter().any(|key| section.has(key)) {
         if section.has("shear_deformation_modulus") {
             let message = "`shear_deformation_modulus` does nothing without the other plate constants";
-            let cure = "add  terrain = \"LETE sand\"  or another published soil, or sinkage_exponent, cohesive_modulus and \
-                 frictional_modulus";
+            let cure = "add  terrain = \"LETE sand\"  or another published soil, or sinkage_exponent, \
+                        cohesive_modulus and frictional_modulus";
             problems.add(section.at("shear_deformation_modulus"), message, cure);
         }
         return None;

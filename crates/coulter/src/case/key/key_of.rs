@@ -1,8 +1,9 @@
 //! Keys together with the places of their values: reading, checks of range and lists of numbers follow from them.
 
 use super::allowed_range::AllowedRange;
+use super::declaration::{Key, Kind, key};
 use super::default_value::DefaultValue;
-use super::key::{Key, Kind, key};
+
 use super::usual_range::UsualRange;
 use crate::case::problem::Problems;
 use crate::case::typed::Section;
@@ -40,9 +41,7 @@ impl<T: 'static> KeyOf<T> {
     }
 
     const fn with(self, key: Key) -> Self {
-        // A constant function cannot drop the old key, which has nothing to drop.
-        let place = std::mem::ManuallyDrop::new(self);
-        Self { key, ..std::mem::ManuallyDrop::into_inner(place) }
+        Self { key, ..self }
     }
 
     /// With what applies where it is left out.

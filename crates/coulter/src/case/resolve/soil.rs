@@ -21,15 +21,7 @@ pub(super) struct Conditions {
 /// The soil of a section, or `None` with problems added.
 pub(super) fn soil(section: &Section, conditions: Conditions, problems: &mut Problems) -> Option<Soil> {
     let Conditions { gravity, slope } = conditions;
-    let start = Soil {
-        law: Law::Elastic,
-        density: 0.0,
-        unit_weight: 0.0,
-        young_modulus: 0.0,
-        poisson_ratio: 0.0,
-        k0: 0.0,
-    };
-    let elastic = read(COMMON, start, section, problems);
+    let elastic = read(COMMON, Soil::default(), section, problems);
     let before = problems.len();
     let law = typed_law(section, problems).filter(|law| {
         law.check(&section.path, problems);

@@ -22,7 +22,7 @@ use solver::material::{DensityProfile, Material};
 pub(crate) const SOIL: &str = "soil";
 
 /// Parameters of the soil.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Soil {
     /// Yield law.
     pub law: Law,
@@ -46,31 +46,36 @@ const LAW: [Key; 1] = [key(
      plasticity, or none (elastic).",
 )];
 
-/// Keys of every soil but its law.
-pub(in crate::case) type Field = KeyOf<Soil>;
+type Field = KeyOf<Soil>;
 
+/// Keys of every soil, whatever its law.
 pub(in crate::case) const COMMON: &[Field] = &[
-    Field::new("unit_weight", Kind::Quantity(UNIT_WEIGHT), Place::Derived(|soil| Some(&mut soil.unit_weight)))
+    Field::new("unit_weight", Kind::Quantity(UNIT_WEIGHT), Place::Derived(|s| Some(&mut s.unit_weight)))
         .derived("density × gravity")
-        .within(NOT_NEGATIVE).usually(WEIGHT)
+        .within(NOT_NEGATIVE)
+        .usually(WEIGHT)
         .means("Unit weight γ, with `[water]` the submerged one γ′; 0 for weightless soil."),
     Field::new("density", Kind::Quantity(DENSITY), Place::Derived(|soil| Some(&mut soil.density)))
         .derived("unit_weight / gravity")
-        .within(POSITIVE).usually(USUAL_DENSITY)
+        .within(POSITIVE)
+        .usually(USUAL_DENSITY)
         .means("Density ρ, which gives the soil its inertia; with `[water]` the dry density."),
     Field::new("young_modulus", Kind::Quantity(STRESS), Place::Number(|soil| &mut soil.young_modulus))
-        .within(POSITIVE).usually(STIFFNESS)
+        .within(POSITIVE)
+        .usually(STIFFNESS)
         .means("Young's modulus E; of sand that at a mean pressure of 100 kPa, for unloading and reloading."),
     Field::new("poisson_ratio", Kind::Number, Place::Number(|soil| &mut soil.poisson_ratio))
         .default(Number(0.3))
-        .within(BELOW_HALF).usually(POISSON)
+        .within(BELOW_HALF)
+        .usually(POISSON)
         .means("Poisson's ratio ν."),
     Field::new("k0", Kind::Number, Place::Derived(|soil| Some(&mut soil.k0)))
         .derived(
-            "1 − sin φ (Jaky 1944), φ_cv of sand; else ν/(1 − ν); on a slope as much more as the soil needs to \
-             rest, 1 without friction",
+            "1 − sin φ (Jaky 1944), φ_cv of sand; else ν/(1 − ν); on a slope as much more as the soil needs \
+             to rest, 1 without friction",
         )
-        .within(NOT_NEGATIVE).usually(AT_REST)
+        .within(NOT_NEGATIVE)
+        .usually(AT_REST)
         .means("Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start."),
 ];
 

@@ -23,11 +23,12 @@ use std::ops::Deref;
 macro_rules! laws {
     ($($law:ident: $about:literal;)*) => {
         /// The yield law of the soil.
-        #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
         #[serde(rename_all = "kebab-case")]
         pub enum Law {
             $(#[doc = $about] $law($law),)*
             /// Linear elastic.
+            #[default]
             Elastic,
         }
 

@@ -308,8 +308,8 @@ impl SoilLaw for Sand {
         let [phi, psi, critical] =
             [friction_angle, dilation_angle, self.critical_friction_angle].map(f64::to_degrees);
         remarks.push(format!(
-            "sand as Mohr-Coulomb soil with the strength that its density gives it: φ = {phi:.2}°, ψ = {psi:.2}° (φ_cv = {critical:.2}°); \
-             it is not fully mobilised in loose sand, nor kept in dense sand"
+            "sand as Mohr-Coulomb soil with the strength that its density gives it: φ = {phi:.2}°, ψ = {psi:.2}° \
+             (φ_cv = {critical:.2}°); it is not fully mobilised in loose sand, nor kept in dense sand"
         ));
         Ok(Strength { friction_angle, dilation_angle, ..Strength::default() })
     }

@@ -206,8 +206,8 @@ impl SoilLaw for Tresca {
             self.softening
         {
             text += &format!(
-                ",\n         S_t = {sensitivity} (95 % lost at a strain of {remoulding_strain}), {} % more per tenfold rate above \
-                 {reference_rate} 1/s",
+                ",\n         S_t = {sensitivity} (95 % lost at a strain of {remoulding_strain}), {} % more per \
+                 tenfold rate above {reference_rate} 1/s",
                 short(100.0 * rate_strengthening)
             );
         }
