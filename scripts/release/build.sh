@@ -78,7 +78,7 @@ licences() {
         "$python" -c 'import json, os, sys
 print(*(os.path.dirname(p["manifest_path"]) for p in json.load(sys.stdin)["packages"] if p["name"] == "zstd-sys"))')"
     append "Zstandard, in C (zstd-sys)" "$zstd/zstd/LICENSE" >>"$crates"
-    append "DejaVu Sans, the font in the pictures" crates/coulter/assets/DejaVuSans-LICENSE.txt >>"$crates"
+    append "DejaVu Sans, the font in the pictures" crates/report/assets/DejaVuSans-LICENSE.txt >>"$crates"
     append "musl, the C library in the static program" /usr/share/doc/musl/copyright >>"$crates"
     rust="$(rustc --print sysroot)/share/doc/rust/COPYRIGHT-library.html"
     cp "$rust" "$dist/licences/RUST-LIBRARY.html"

@@ -5,7 +5,7 @@ use clap::builder::TypedValueParser as _;
 use coulter::case::cores;
 use coulter::case::meshes::COUNTS;
 use coulter::case::quantity::{TIME, parse};
-use coulter::case::variations::ErrorSource;
+use coulter::confidence::variations::ErrorSource;
 use coulter::printed::plain;
 use coulter::run::Budget;
 use std::fmt::Display;

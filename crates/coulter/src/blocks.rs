@@ -1,7 +1,7 @@
 //! How the grid of a case is cut into blocks, one for each process of a run.
 
-use crate::case::Case;
-use crate::case::model::model;
+use case::Case;
+use case::model::model;
 use solver::grid::{GHOSTS, Grid};
 use solver::halo::Halo;
 use solver::halo::decomposition::Decomposition;

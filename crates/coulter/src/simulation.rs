@@ -1,19 +1,20 @@
 //! The simulation of a case: its model, its state, the loop of a run, and who observes it.
 
 use crate::blocks::{self, Balance, TooManyBlocks};
-use crate::case::model::model;
-use crate::case::tow::TowDirection;
-use crate::case::{Case, CaseError, case_text, cores, require_valid};
-use crate::domain::PlacedDomain;
-use crate::history::History;
-use crate::history::probes::{self, LastSample};
-use crate::history::reference::Reference;
-use crate::history::rim::RimHistory;
-use crate::history::steady::SteadyPart;
-use crate::output::checkpoint::{Checkpoint, CheckpointView};
 use crate::stages;
-use crate::trust::{Setting, Trust};
+use case::model::model;
+use case::tow::TowDirection;
+use case::{Case, case_text, cores, require_valid};
 use glam::DVec3;
+use input::CaseError;
+use results::checkpoint::{Checkpoint, CheckpointView};
+use results::domain::PlacedDomain;
+use results::history::History;
+use results::history::probes::{self, LastSample};
+use results::history::reference::Reference;
+use results::history::rim::RimHistory;
+use results::history::steady::SteadyPart;
+use results::trust::{Setting, Trust};
 use solver::balance;
 use solver::cpu::stopwatch::Stopwatch;
 use solver::error::Breakdown;
@@ -115,7 +116,7 @@ impl<R: Precision> Simulation<R> {
         Ok(Self::new(case))
     }
 
-    /// A run from the start, of a valid case: one that was read, or in which [`crate::case::validate`] finds no problem. For any
+    /// A run from the start, of a valid case: one that was read, or in which [`case::validate`] finds no problem. For any
     /// other there is [`Simulation::checked`].
     ///
     /// # Panics
@@ -125,7 +126,7 @@ impl<R: Precision> Simulation<R> {
         Self::of_model(case, model(case, R::LANES))
     }
 
-    /// A run from the start of a model that no case file can state (see [`crate::case::model::model`]): that of a case with a
+    /// A run from the start of a model that no case file can state (see [`case::model::model`]): that of a case with a
     /// change by hand. The case says what samples and results need beyond the model.
     #[must_use]
     pub fn of_model(case: &Case, model: Model) -> Self {

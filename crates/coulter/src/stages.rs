@@ -1,11 +1,11 @@
 //! The stages of a run: which is on, when it ends, and how the bodies move in the next.
 
-use crate::case::quantity::plain;
-use crate::case::resolved::{Case, StageQuantity, Until};
-use crate::case::tow::TowDirection;
-use crate::history::{BodySample, History, StageStart};
+use case::resolved::{Case, StageQuantity, Until};
+use case::tow::TowDirection;
 use glam::DVec3;
+use input::quantity::plain;
 use mechanics::Motion;
+use results::history::{BodySample, History, StageStart};
 use solver::error::{Breakdown, Location};
 use solver::model::Model;
 use solver::precision::Precision;

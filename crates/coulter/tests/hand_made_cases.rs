@@ -9,9 +9,9 @@ use coulter::case::{self, CaseError, Problem, keys, validate};
 use coulter::interrupts::Interrupts;
 use coulter::run::{RunError, RunOptions, Start, run};
 use coulter::simulation::Simulation;
+use geometry::DiscRim;
 use glam::DVec3;
 use mechanics::Motion;
-use physics::shape::DiscRim;
 use proptest::prelude::*;
 use serde_json::json;
 
@@ -146,7 +146,7 @@ fn what_no_file_can_say_is_found_too() {
         }),
         ("body.disc.axis", |c| {
             (c.domain.symmetric, c.domain.plane_strain) = (false, true);
-            let axis = physics::shape::Axis::X;
+            let axis = geometry::Axis::X;
             c.bodies[0].shape = Shape::Cylinder(Cylinder { diameter: 0.2, length: 0.2, axis });
         }),
         ("ground.surface", |c| {

@@ -10,6 +10,8 @@ use std::path::{Path, PathBuf};
 
 const FILES: [&str; 3] = ["std::fs", "fs::", "File::"];
 const THREADS: [&str; 2] = ["std::thread", "thread::"];
+/// The crates that compute and know no case.
+const FORMULAS: [&str; 6] = ["numerics", "geometry", "physics", "mechanics", "solver", "analytic"];
 const PRINTING: [&str; 6] = ["println!", "print!(", "dbg!(", "io::stdout", "io::stderr", "io::Write"];
 
 fn root() -> PathBuf {
@@ -69,15 +71,23 @@ fn dependencies(name: &str) -> Vec<String> {
 }
 
 /// Every crate of the workspace, those below first, with those that it may depend on.
-const ARROWS: [(&str, &[&str]); 10] = [
+const ARROWS: [(&str, &[&str]); 15] = [
     ("numerics", &[]),
+    ("geometry", &[]),
     ("physics", &[]),
     ("mechanics", &["numerics"]),
-    ("solver", &["physics", "mechanics"]),
+    ("solver", &["geometry", "physics", "mechanics"]),
     ("analytic", &["numerics"]),
-    ("coulter", &["physics", "mechanics", "solver", "analytic"]),
+    ("input", &["geometry", "mechanics"]),
+    ("case", &["geometry", "physics", "mechanics", "solver", "analytic", "input"]),
+    ("results", &["geometry", "physics", "mechanics", "solver", "analytic", "input", "case"]),
+    ("report", &["geometry", "mechanics", "solver", "input", "case", "results"]),
+    (
+        "coulter",
+        &["geometry", "physics", "mechanics", "solver", "analytic", "input", "case", "results", "report"],
+    ),
     ("studies", &["numerics", "analytic", "coulter"]),
-    ("verification", &["physics", "mechanics", "solver", "analytic", "coulter"]),
+    ("verification", &["geometry", "physics", "mechanics", "solver", "analytic", "coulter"]),
     ("cli", &["solver", "analytic", "coulter", "studies", "verification"]),
     ("python", &["analytic", "coulter", "studies", "cli"]),
 ];
@@ -103,7 +113,7 @@ fn no_crate_is_left_out() {
 
 #[test]
 fn below_the_public_api_nothing_touches_files_or_prints() {
-    for name in ["numerics", "physics", "mechanics", "solver", "analytic"] {
+    for name in FORMULAS {
         let found = offenders(name, &[&FILES[..], &PRINTING].concat(), nobody);
         assert!(found.is_empty(), "{found:#?}");
     }
@@ -111,7 +121,7 @@ fn below_the_public_api_nothing_touches_files_or_prints() {
 
 #[test]
 fn one_file_starts_threads_and_few_are_unsafe() {
-    for name in ["numerics", "physics", "mechanics", "solver", "analytic"] {
+    for name in FORMULAS {
         let threads = |path: &str| name == "solver" && path == "cpu/threads.rs";
         let found = offenders(name, &THREADS, threads);
         assert!(found.is_empty(), "{found:#?}");
@@ -120,7 +130,8 @@ fn one_file_starts_threads_and_few_are_unsafe() {
             offenders(name, &["unsafe"], |path| threads(path) || name == "solver" && path == "halo/mpi.rs");
         assert!(found.is_empty(), "{found:#?}");
     }
-    for name in ["coulter", "studies", "verification", "cli", "python"] {
+    for name in ["input", "case", "results", "report", "coulter", "studies", "verification", "cli", "python"]
+    {
         let may = |path: &str| match name {
             "studies" => path == "sweep/pool.rs",
             // What an allocator must do is unsafe.
@@ -136,8 +147,12 @@ fn one_file_starts_threads_and_few_are_unsafe() {
 #[test]
 fn above_the_solver_few_touch_files_and_fewer_print() {
     // `repeat` removes its checkpoint; `signals` reads what the system ignores.
-    let may_touch: [(&str, &[&str]); 5] = [
-        ("coulter", &["case/", "output/"]),
+    let may_touch: [(&str, &[&str]); 9] = [
+        ("input", &["data_file.rs", "motion_table.rs", "mesh_file/mod.rs", "height_file/tests.rs"]),
+        ("case", &["cores.rs", "documentation.rs", "load.rs", "machine.rs"]),
+        ("results", &["files/", "folder/", "tables/csv.rs"]),
+        ("report", &[]),
+        ("coulter", &[]),
         ("studies", &["files.rs"]),
         ("verification", &["cache.rs", "document.rs", "repeat.rs"]),
         ("cli", &["new.rs", "signals.rs"]),
@@ -147,9 +162,9 @@ fn above_the_solver_few_touch_files_and_fewer_print() {
         let found = offenders(name, &FILES, |path| places.iter().any(|place| path.starts_with(place)));
         assert!(found.is_empty(), "{found:#?}");
     }
-    let found = offenders("coulter", &PRINTING[..5], |path| path == "output/progress.rs");
+    let found = offenders("results", &PRINTING[..5], |path| path == "progress.rs");
     assert!(found.is_empty(), "{found:#?}");
-    for name in ["studies", "verification", "python"] {
+    for name in ["input", "case", "report", "coulter", "studies", "verification", "python"] {
         let found = offenders(name, &PRINTING[..5], nobody);
         assert!(found.is_empty(), "{found:#?}");
     }
@@ -176,16 +191,17 @@ const LOOKS: [&str; 6] = ["File::open", "fs::read", "read_dir", "fs::metadata", 
 /// Folders of results and studies come from others: what is in them is reached through `Inside` alone, which follows no link.
 #[test]
 fn one_place_opens_what_is_in_a_folder() {
-    let here = |path: &str| path.starts_with("output/files/inside/");
-    for name in ["coulter", "studies", "cli", "python"] {
+    let here = |path: &str| path.starts_with("files/inside/");
+    for name in ["input", "case", "results", "report", "coulter", "studies", "cli", "python"] {
         // `new` writes the file that its user names.
-        let may = |path: &str| name == "coulter" && here(path) || name == "cli" && path == "new.rs";
+        let may = |path: &str| name == "results" && here(path) || name == "cli" && path == "new.rs";
         let found = used_by(name, &CHANGES, may);
         assert!(found.is_empty(), "{found:#?}");
     }
     // `io` copies the files that a case names, `files` reads those that the command line names.
-    let of_results = |path: &str| !path.starts_with("output/") || here(path) || path == "output/files/io.rs";
-    assert_eq!(used_by("coulter", &LOOKS, of_results), Vec::<String>::new());
+    let of_results = |path: &str| here(path) || path == "files/io.rs";
+    assert_eq!(used_by("results", &LOOKS, of_results), Vec::<String>::new());
+    assert_eq!(used_by("report", &LOOKS, nobody), Vec::<String>::new());
     assert_eq!(used_by("studies", &LOOKS, |path| path == "files.rs"), Vec::<String>::new());
 }
 

@@ -1,8 +1,7 @@
-//! Material-point physics of soil, and the geometry of rigid bodies.
+//! Material-point physics of soil.
 //!
 //! Functions take and return the quantities of one point; there are no grids, files, threads or heap
-//! allocations in them (shapes allocate when they lay out points or meshes). SI units, radians, tension
-//! positive.
+//! allocations in them. SI units, radians, tension positive.
 //!
 //! The constitutive formulas are written once, for numbers of the type `Real`, and compiled in [`double`] and
 //! in [`single`] precision.
@@ -11,7 +10,6 @@
 
 pub mod double;
 pub mod interface;
-pub mod shape;
 pub mod single;
 
 pub use double::{

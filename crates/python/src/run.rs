@@ -4,7 +4,7 @@ use crate::attend::{ask_to_stop, attend};
 use crate::failure::{raised, refused};
 use crate::follow::{Asking, told};
 use crate::source::{Source, SourceText, count, request};
-use coulter::case::variations::ErrorSource;
+use coulter::confidence::variations::ErrorSource;
 use coulter::interrupts::Interrupts;
 use coulter::run::{Budget, Follower, NoFollower, Start};
 use coulter_cli::{Failure, PreparedRun, RunRequest, budget, error_source, graded};

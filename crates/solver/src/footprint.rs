@@ -7,8 +7,8 @@ use crate::fields::arrays;
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::Contact;
+use geometry::SurfacePoint;
 use glam::DVec3;
-use physics::shape::SurfacePoint;
 
 /// Memory of a run [bytes].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

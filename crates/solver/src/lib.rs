@@ -25,7 +25,6 @@ pub mod model;
 mod pore_pressure;
 pub mod portion;
 pub mod precision;
-pub mod relief;
 pub mod remap;
 mod scalar;
 pub mod state;

@@ -4,11 +4,11 @@ use crate::boundary::{Boundaries, Boundary, Symmetry};
 use crate::fields::Kinds;
 use crate::grid::{Grid, longer_step};
 use crate::material::Material;
-use crate::relief::Relief;
+use geometry::relief::Relief;
+use geometry::{RimPoint, Shape};
 use glam::{DMat3, DQuat, DVec3};
 use mechanics::joint::Joint;
 use mechanics::{Fluid, Inertia, Mechanism, Motion, Pose};
-use physics::shape::{RimPoint, Shape};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -4,9 +4,9 @@
 mod common;
 
 use common::{below, sand, uniform};
+use geometry::Disc;
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
-use physics::shape::Disc;
 use solver::energy::soil_mass;
 use solver::grid::Grid;
 use solver::halo::Halo;

@@ -4,9 +4,9 @@
 mod common;
 
 use common::{below, dense_sand, sand, uniform};
+use geometry::{Block, Disc, Shape};
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
-use physics::shape::{Block, Disc, Shape};
 use solver::footprint::{footprint, surface_points};
 use solver::grid::Grid;
 use solver::initial::at_rest;

@@ -4,9 +4,9 @@
 mod common;
 
 use common::{below, sand, uniform};
+use geometry::Disc;
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
-use physics::shape::Disc;
 use solver::initial::at_rest;
 use solver::model::{BodyModel, ContactMethod};
 use solver::step::step;

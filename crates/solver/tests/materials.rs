@@ -4,10 +4,10 @@
 mod common;
 
 use common::{sand, uniform};
+use geometry::Block;
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
 use physics::law::Law;
-use physics::shape::Block;
 use physics::von_mises::VonMises;
 use solver::initial::{Filling, at_rest_on};
 use solver::model::{BodyModel, Ground, Model};

@@ -4,11 +4,11 @@
 mod common;
 
 use common::{below, sand, uniform};
+use geometry::Block;
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
 use physics::law::Law;
 use physics::mohr_coulomb::MohrCoulomb;
-use physics::shape::Block;
 use solver::fields::PORE_PRESSURE;
 use solver::initial::at_rest;
 use solver::model::{BodyModel, Model, PoreWater};

@@ -4,9 +4,9 @@
 mod common;
 
 use common::{below, sand, uniform};
+use geometry::{Block, Disc, Mesh, Shape};
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
-use physics::shape::{Block, Disc, Mesh, Shape};
 use solver::initial::at_rest;
 use solver::model::BodyModel;
 use solver::step::step;

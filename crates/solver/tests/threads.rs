@@ -4,9 +4,9 @@
 mod common;
 
 use common::{below, sand, uniform};
+use geometry::Disc;
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
-use physics::shape::Disc;
 use solver::halo::Halo;
 use solver::initial::{at_rest, set_in_motion};
 use solver::model::BodyModel;

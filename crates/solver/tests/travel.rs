@@ -6,10 +6,10 @@ mod common;
 mod models;
 
 use common::{sand, uniform};
+use geometry::{Block, Shape};
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
 use models::assert_same;
-use physics::shape::{Block, Shape};
 use solver::boundary::Boundary::{Inflow, Outflow, SmoothWall};
 use solver::energy::{soil_mass, soil_volume};
 use solver::grid::Grid;

@@ -5,9 +5,9 @@
 mod common;
 
 use common::{below, sand};
+use geometry::{Block, Disc, Shape};
 use glam::{DQuat, DVec3};
 use mechanics::{Inertia, Motion, Pose};
-use physics::shape::{Block, Disc, Shape};
 use solver::initial::at_rest;
 use solver::model::BodyModel;
 use solver::step::step;

@@ -3,7 +3,7 @@
 use crate::comparison::{Item, ItemKind, Unreadable, read_item, settle_signs};
 use crate::measured::{ColumnChoice, Quantity, Record};
 use coulter::history::steady::moving_average;
-use coulter::output::plots::{Overlay, PlotKind};
+use coulter::output::{Overlay, PlotKind};
 use std::path::Path;
 
 /// Width of the moving average of the forces of another run, over the length of its curve (chosen: as smooth

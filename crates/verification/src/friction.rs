@@ -2,12 +2,12 @@
 
 use crate::error::VerifyError;
 use crate::runner::Runner;
+use geometry::{Axis, Block, Cylinder, Shape};
 use glam::{DQuat, DVec3};
 use mechanics::{Inertia, Motion, Pose};
 use physics::elastic::Elastic;
 use physics::law::Law;
 use physics::mohr_coulomb::MohrCoulomb;
-use physics::shape::{Axis, Block, Cylinder, Shape};
 use solver::grid::Grid;
 use solver::initial::{Filling, at_rest};
 use solver::material::Material;

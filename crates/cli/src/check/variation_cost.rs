@@ -1,7 +1,7 @@
 //! The variations of a case, and what they cost.
 
 use coulter::case::Case;
-use coulter::case::variations::{LeftOut, VariationPlan};
+use coulter::confidence::variations::{LeftOut, VariationPlan};
 use coulter::run::relative_cost;
 use serde::Serialize;
 use std::fmt::Write;

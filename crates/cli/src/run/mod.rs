@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::processes::World;
 use crate::signals;
 use coulter::case;
-use coulter::case::variations::ErrorSource;
+use coulter::confidence::variations::ErrorSource;
 use coulter::run::{Budget, NoFollower, Start};
 use std::path::PathBuf;
 

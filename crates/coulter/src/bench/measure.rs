@@ -2,11 +2,11 @@
 
 use super::measurement::{Measurement, Split};
 use super::work::Work;
-use crate::case::{Case, resolved};
-use crate::domain::PlacedDomain;
-use crate::formats;
 use crate::simulation::Simulation;
+use case::{Case, resolved};
 use cpu_time::ProcessTime;
+use results::domain::PlacedDomain;
+use results::formats;
 use solver::cpu::machine;
 use solver::cpu::stopwatch::{Stage, Stopwatch};
 use solver::error::Breakdown;

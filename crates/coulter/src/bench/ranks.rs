@@ -3,10 +3,10 @@
 use super::measure::{Options, case_for};
 use super::network::Network;
 use crate::blocks::TooManyBlocks;
-use crate::case::resolved;
-use crate::domain::PlacedDomain;
-use crate::formats;
 use crate::simulation::Simulation;
+use case::resolved;
+use results::domain::PlacedDomain;
+use results::formats;
 use serde::{Deserialize, Serialize};
 use solver::cpu::stopwatch::Stage;
 use solver::error::Breakdown;

@@ -66,7 +66,7 @@ pub fn scaling(measured: Vec<RankMeasurement>, network: Option<Network>) -> Scal
         }
         _ => Vec::new(),
     };
-    Scaling { format: crate::formats::DOCUMENT, measured, network, modelled }
+    Scaling { format: results::formats::DOCUMENT, measured, network, modelled }
 }
 
 struct Model<'a> {

@@ -2,7 +2,7 @@
 
 use super::path::{Ending, TestKind};
 use super::tested::{ElementTests, Tested};
-use crate::formats;
+use results::formats;
 use serde_json::{Map, Value, json};
 
 impl TestKind {

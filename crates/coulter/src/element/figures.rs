@@ -1,7 +1,7 @@
 //! The key figures of element tests, as a laboratory reports them.
 
 use super::path::{Course, PathPoint, Test, TestKind};
-use crate::case::resolved::Soil;
+use case::resolved::Soil;
 
 /// In what a figure is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,9 +5,10 @@ use super::path::{Test, TestKind, Unsustained, run};
 use super::remarks::remarks;
 use super::shown::{decimals, stress};
 use super::tested::{ElementTests, Tested};
-use crate::case::quantity::plain;
-use crate::case::resolved::{Law, Soil};
-use crate::case::{Problem, validate_soil};
+use case::resolved::{Law, Soil};
+use case::validate_soil;
+use input::Problem;
+use input::quantity::plain;
 
 /// Which specimens are tested, and how far.
 #[derive(Clone, Debug, PartialEq)]

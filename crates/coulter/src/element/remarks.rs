@@ -4,7 +4,7 @@ use super::figures::peak;
 use super::path::{Ending, TestKind};
 use super::shown::{decimals, stress};
 use super::tested::Tested;
-use crate::case::resolved::{Law, Sand, Soil};
+use case::resolved::{Law, Sand, Soil};
 use std::collections::BTreeMap;
 
 /// Mean pressure from which grains of sand are crushed [Pa] (chosen: quartz sands bend in the oedometer from some 1 MPa on).

@@ -4,8 +4,8 @@ use super::figures::{FigureUnit, KeyFigure};
 use super::path::TestKind;
 use super::shown::{decimals, stress};
 use super::tested::{ElementTests, Tested};
-use crate::case::quantity::plain;
-use crate::text::wrapped;
+use input::quantity::plain;
+use input::text::wrapped;
 use std::fmt::Write;
 
 /// The key figures as text for a terminal: a line for each specimen, then remarks.

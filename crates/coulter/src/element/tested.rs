@@ -2,7 +2,7 @@
 
 use super::figures::KeyFigures;
 use super::path::{Course, Test, TestKind};
-use crate::case::resolved::Soil;
+use case::resolved::Soil;
 
 /// A specimen that was tested.
 #[derive(Clone, Debug, PartialEq)]

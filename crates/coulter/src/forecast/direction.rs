@@ -1,7 +1,7 @@
 //! A tow in any level direction, turned so that it goes along x: the closed forms know only that.
 
-use crate::case::resolved::{Body, Motion};
-use crate::case::tow::squared;
+use case::resolved::{Body, Motion};
+use case::tow::squared;
 use glam::DQuat;
 use std::f64::consts::FRAC_PI_2;
 
@@ -67,8 +67,8 @@ fn level_speeds(body: &Body) -> Option<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use crate::case::parse;
     use crate::forecast::model_input;
+    use case::parse;
 
     const DISC: &str = include_str!("../../../../cases/light_disc.toml");
 

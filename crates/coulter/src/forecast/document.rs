@@ -3,11 +3,11 @@
 use super::outlook::{Outlook, mechanism_word};
 use super::predicted::PREDICTED;
 use super::uncertainty::{InputDeviation, Interval, Intervals};
-use crate::formats;
-use crate::history::quantities::key;
 use analytic::Towing;
 use analytic::disc::Drive;
 use analytic::forecast::{Load, ModelForecast, Range, Strength};
+use results::formats;
+use results::history::quantities::key;
 use serde_json::{Value, json};
 
 /// The document of a forecast; `in_full` adds the full uncertainty analysis.

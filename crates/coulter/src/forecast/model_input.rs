@@ -3,16 +3,16 @@
 use super::carried::touching;
 use super::direction::along_the_tow;
 use super::towed::{Course, bodies, body, course};
-use crate::case::quantity::short;
-use crate::case::resolved::{Body as Towed, Case, Factors, Ground, Measured, Motion};
-use crate::case::soil::Strength;
-use crate::case::travel;
-use crate::history::reference::Reference;
 use analytic::bearing::Method;
 use analytic::disc::Drive;
 use analytic::forecast::Body;
 use analytic::wheel::PressureSinkage;
 use analytic::{Load, Soil, Towing};
+use case::path::travel;
+use case::resolved::{Body as Towed, Case, Factors, Ground, Measured, Motion};
+use case::soil::Strength;
+use input::quantity::short;
+use results::history::reference::Reference;
 
 /// The input of the closed-form models, and the assumptions made to obtain it.
 #[derive(Clone, Debug)]

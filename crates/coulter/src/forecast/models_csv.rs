@@ -2,7 +2,7 @@
 
 use super::outlook::{Outlook, mechanism_word};
 use super::uncertainty::Intervals;
-use crate::printed::text_cell;
+use input::printed::text_cell;
 use std::fmt::Write;
 
 /// Header of `models.csv`.

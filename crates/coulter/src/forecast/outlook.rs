@@ -2,10 +2,10 @@
 
 use super::model_input::{ModelInput, model_input};
 use super::water::UnderWater;
-use crate::case::Case;
 use analytic::Forecast;
 use analytic::disc::{Drive, Mechanism};
 use analytic::forecast::{Candidate, Load, ModelForecast};
+use case::Case;
 
 /// The forecast for a case.
 #[derive(Clone, Debug)]

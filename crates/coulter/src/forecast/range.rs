@@ -2,9 +2,9 @@
 
 use super::model_input::ModelInput;
 use super::variable::{Variable, find, variables};
-use crate::case::format::new_name;
-use crate::case::keys::Kind;
-use crate::case::quantity;
+use case::format::new_name;
+use case::keys::Kind;
+use input::quantity;
 
 /// Why it cannot be read, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,12 +1,12 @@
 //! A blade that cuts saturated sand, and a plough, under water.
 
 use super::model_input::ModelInput;
-use crate::case::Case;
-use crate::case::resolved::Plough;
 use analytic::cutting::{Blade, PloughCoefficients, PloughForce, SaturatedCut};
 use analytic::forecast::{Body, FacetedBody, Front};
 use analytic::resistive::Facet;
 use analytic::{Load, PoreWater};
+use case::Case;
+use case::resolved::Plough;
 use std::f64::consts::FRAC_PI_2;
 
 /// A blade in saturated sand, with a third of the suction, with it and with three times as much.

@@ -2,10 +2,10 @@
 
 use super::outlook::{Outlook, mechanism_word};
 use super::uncertainty::{InputDeviation, Intervals};
-use crate::case::quantity::short;
-use crate::text::wrapped;
 use analytic::disc::{Drive, Mechanism};
 use analytic::forecast::{Load, ModelForecast, Prediction, Strength};
+use input::quantity::short;
+use input::text::wrapped;
 use std::fmt::Write;
 
 /// The forecast as text for a terminal.

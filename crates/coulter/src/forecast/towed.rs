@@ -1,15 +1,15 @@
 //! The bodies of a case as the closed-form models represent them.
 
-use crate::case::quantity::short;
-use crate::case::resolved::{Attitude, Body as Towed, Case, Law, Motion};
-use crate::case::shapes::{ClosedForm, Shape};
-use crate::case::travel;
-use crate::history::reference::Reference;
 use analytic::disc::{Assembly, Disc};
 use analytic::forecast::{Block, Body, FacetedBody, Outline, Penetrometer, Pipe, Plate};
 use analytic::resistive::{Axle, Facet};
+use case::path::travel;
+use case::resolved::{Attitude, Body as Towed, Case, Law, Motion};
+use case::shapes::{ClosedForm, Shape};
+use geometry::SurfacePoint;
 use glam::DVec3;
-use physics::shape::SurfacePoint;
+use input::quantity::short;
+use results::history::reference::Reference;
 use std::f64::consts::PI;
 
 /// Points across the diameter of a body that is represented by points on its surface.

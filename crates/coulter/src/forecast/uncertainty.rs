@@ -4,9 +4,9 @@ use super::model_input::ModelInput;
 use super::outlook::Outlook;
 use super::range::{Unreadable, known, value};
 use super::variable::Variable;
-use crate::case::StandardDeviation;
 use analytic::forecast::{Candidate, Parameter};
 use analytic::uncertainty::{Distribution, Uncertainty, propagate_towing, sweep_table};
+use case::StandardDeviation;
 use serde::Serialize;
 
 /// Largest number of uncertain inputs; the errors of the model in resistance and in thrust are two more.

@@ -1,10 +1,10 @@
 //! The numbers of a case that can be varied or be uncertain, with their names in the case file.
 
 use super::model_input::ModelInput;
-use crate::case::keys::Kind;
-use crate::case::quantity::{ANGLE, FORCE, LENGTH, STRESS, TORQUE, UNIT_WEIGHT};
 use analytic::Towing;
 use analytic::forecast::{Body, Outline, Parameter};
+use case::keys::Kind;
+use input::quantity::{ANGLE, FORCE, LENGTH, STRESS, TORQUE, UNIT_WEIGHT};
 
 /// A number that can be varied.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,12 +2,12 @@
 
 use super::model_input::ModelInput;
 use super::saturated::{BladeUnderWater, PloughUnderWater};
-use crate::case::Case;
-use crate::case::resolved::Water;
-use crate::text::wrapped;
 use analytic::cutting::{PloughForce, SaturatedCut};
 use analytic::forecast::{Forecast, ModelForecast};
 use analytic::{PoreWater, Suction};
+use case::Case;
+use case::resolved::Water;
+use input::text::wrapped;
 use serde_json::{Value, json};
 use std::fmt::Write;
 

@@ -4,14 +4,13 @@ use super::options::{End, RunError, RunOptions, Start};
 use super::part::Part;
 use super::start::{ended_before, lock};
 use super::{run_locked, verdict};
-use crate::case::variations::{LeftOut, Variation, VariationPlan};
-use crate::case::{Case, estimate, require_valid, resolved};
-use crate::confidence::{Confidence, Status, VariationResult};
-use crate::output::folder::clear_beside;
-use crate::output::{
-    Summary, add_confidence, confidence_lines, finished, make_variations_folder, progress, variation_folder,
-};
-use crate::trust::Verdict;
+use case::{Case, estimate, require_valid, resolved};
+use report::{Summary, add_confidence, confidence_lines, finished, make_variations_folder, variation_folder};
+use results::confidence::variations::{LeftOut, Variation, VariationPlan};
+use results::confidence::{Confidence, Status, VariationResult};
+use results::folder::clear_beside;
+use results::progress;
+use results::trust::Verdict;
 
 /// How long the variations may take together.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,9 +4,10 @@ use super::options::{End, RunError, RunOptions, Start};
 use super::part::Part;
 use super::start::{begin_study, ended_before, lock};
 use super::{run_locked, verdict};
-use crate::case::meshes::CoarserMesh;
-use crate::case::{Case, require_valid};
-use crate::output::{add_mesh_study, mesh_folder, progress, study_lines};
+use case::meshes::CoarserMesh;
+use case::{Case, require_valid};
+use report::{add_mesh_study, mesh_folder, study_lines};
+use results::progress;
 
 /// Runs a case on its own mesh and on coarser ones, and writes its results with the study of all of them.
 ///

@@ -2,13 +2,13 @@
 
 use super::options::Follower;
 use super::watch::watch;
-use crate::case;
+
 use crate::interrupts::Interrupts;
-use crate::output::folder::{Log, Outcome, RunRecord, RunStatistics, StageRecord};
-use crate::output::progress::Progress;
-use crate::output::tables::HistoryFiles;
-use crate::output::vtk::FieldSeries;
 use crate::simulation::{Next, Observer, ObserverError, Simulation, Stop};
+use results::folder::{Log, Outcome, RunRecord, RunStatistics, StageRecord};
+use results::progress::Progress;
+use results::tables::HistoryFiles;
+use results::vtk::FieldSeries;
 use solver::precision::Precision;
 use std::path::Path;
 use std::sync::atomic::Ordering;

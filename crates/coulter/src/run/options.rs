@@ -1,11 +1,12 @@
 //! What a run is asked to do, and how it can end.
 
 use crate::blocks::TooManyBlocks;
-use crate::case::CaseError;
-use crate::history::History;
 use crate::interrupts::Interrupts;
-use crate::output::{OutputError, Summary};
 use crate::simulation::{Next, ObserverError};
+use input::CaseError;
+use report::Summary;
+use results::OutputError;
+use results::history::History;
 use solver::error::Breakdown;
 use solver::halo::{Alone, Communicator};
 use std::path::{Path, PathBuf};

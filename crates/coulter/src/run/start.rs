@@ -4,15 +4,15 @@ use super::options::{RunError, RunOptions, Start};
 use super::part::Part;
 use super::processes::Processes;
 use crate::blocks;
-use crate::case::case_text;
-use crate::case::{self, Case};
-use crate::output::checkpoint::{self, Checkpoint};
-use crate::output::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
-use crate::output::vtk::FieldSeries;
-use crate::output::{
-    OutputError, Results, Summary, clear_all, make_meshes_folder, overlays, require_nothing,
-};
+use crate::output::overlays;
 use crate::simulation::Simulation;
+use case::Case;
+use case::case_text;
+use report::{Results, Summary, clear_all, make_meshes_folder, require_nothing};
+use results::OutputError;
+use results::checkpoint::{self, Checkpoint};
+use results::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
+use results::vtk::FieldSeries;
 use solver::grid::Grid;
 use solver::precision::Precision;
 use std::path::Path;

@@ -1,12 +1,12 @@
 //! Checks during a run: an error that cannot be recovered from stops it, with position, time and cause.
 
-use crate::case::overlap;
-use crate::history::probes::most_pressed_lid_cell;
-use crate::history::{EnergySample, History};
 use crate::simulation::Simulation;
-use crate::trust::energy::body_force;
-use crate::trust::{Setting, limits};
+use case::overlap;
 use glam::DVec3;
+use results::history::probes::most_pressed_lid_cell;
+use results::history::{EnergySample, History};
+use results::trust::energy::body_force;
+use results::trust::{Setting, limits};
 use solver::error::{Breakdown, Location};
 use solver::model::Model;
 use solver::precision::Precision;

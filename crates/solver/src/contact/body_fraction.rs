@@ -8,8 +8,8 @@ use crate::halo::Halo;
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::{Pose, Soil, State};
+use geometry::Shape;
 use glam::DVec3;
-use physics::shape::Shape;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Layers above the highest soil of which bodies are known: the contact search looks two cells away from a

@@ -2,9 +2,9 @@
 
 use crate::model::{BodyModel, Model, RimBin};
 use crate::state::Contact;
+use geometry::{Rim, SurfacePoint, inset_in_frame};
 use glam::{DMat3, DVec3};
 use mechanics::Motion;
-use physics::shape::{Rim, SurfacePoint, inset_in_frame};
 use std::collections::BTreeMap;
 
 /// Surface points of a body. Normals and areas that several points have in common are stored once.
@@ -258,7 +258,7 @@ impl Surface {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use physics::shape::{Disc, Shape};
+    use geometry::{Disc, Shape};
 
     #[test]
     fn a_surface_returns_the_points_it_was_made_from() {

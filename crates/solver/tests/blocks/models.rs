@@ -2,9 +2,9 @@
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used)]
 
 use super::common::{below, dense_sand, sand, uniform};
+use geometry::{Block, Disc, Shape};
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
-use physics::shape::{Block, Disc, Shape};
 use solver::boundary::Boundary;
 use solver::grid::Grid;
 use solver::halo::Halo;

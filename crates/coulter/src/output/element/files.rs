@@ -2,8 +2,8 @@
 
 use super::plots::plots;
 use crate::element::{ElementTests, columns, document};
-use crate::output::files::{Inside, OutputError, SUMMARY, make_folder, write_json, write_whole};
-use crate::output::tables::push_line;
+use results::files::{Inside, OutputError, SUMMARY, make_folder, write_json, write_whole};
+use results::tables::push_line;
 use std::path::{Path, PathBuf};
 
 /// Name of the file of the curves.

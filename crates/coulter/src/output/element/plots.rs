@@ -1,8 +1,8 @@
 //! The curves of element tests as plots.
 
 use crate::element::{ElementTests, PathPoint, TestKind, Tested};
-use crate::output::plots::{Chart, Curve};
-use crate::readable::{Unit, digits, largest};
+use input::readable::{Unit, digits, largest};
+use report::plots::{Chart, Curve};
 
 /// File name and SVG text of every plot.
 pub(super) fn plots(tests: &ElementTests) -> Vec<(&'static str, String)> {

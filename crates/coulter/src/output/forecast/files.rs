@@ -1,10 +1,10 @@
 //! The files of a forecast: the models as a table and a document, their curves as a table and as plots.
 
 use crate::forecast::{Curves, Series};
-use crate::output::files::{Inside, OutputError, make_folder, write_json, write_whole};
-use crate::output::plots::{Chart, Curve, Stroke};
-use crate::output::tables::push_line;
-use crate::readable::{Unit, largest};
+use input::readable::{Unit, largest};
+use report::plots::{Chart, Curve, Stroke};
+use results::files::{Inside, OutputError, make_folder, write_json, write_whole};
+use results::tables::push_line;
 use std::path::{Path, PathBuf};
 
 const MODELS: &str = "models.csv";

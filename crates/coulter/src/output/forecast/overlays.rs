@@ -1,9 +1,9 @@
 //! The forecast as curves over the plots of a run.
 
-use crate::case::Case;
 use crate::forecast::{Outlook, outlook};
-use crate::output::plots::{Overlay, PlotKind};
 use analytic::forecast::{Candidate, ModelForecast, Parameter, curve};
+use case::Case;
+use results::overlay::{Overlay, PlotKind};
 
 /// Points of a force–sinkage curve.
 const POINTS: usize = 41;

@@ -1,0 +1,211 @@
+//! Intervals as people read them: on the terminal and in the report.
+
+use super::summary::Summary;
+use input::readable::{Unit, digits};
+use results::confidence::{BodyConfidence, ConfidenceInterval, Contribution, Status, VariationResult};
+use results::history::quantities::Quantity;
+use serde::Serialize;
+
+/// A variation.
+#[derive(Debug, Serialize)]
+pub(super) struct VariationRow {
+    pub(super) name: String,
+    pub(super) source: &'static str,
+    /// What differs, or why it does not count.
+    pub(super) what: String,
+    pub(super) status: &'static str,
+    pub(super) time: String,
+    /// Its grade; empty where it was not run.
+    pub(super) verdict: &'static str,
+    pub(super) folder: String,
+}
+
+/// A figure with its interval.
+#[derive(Debug, Serialize)]
+pub(super) struct FigureRow {
+    pub(super) name: String,
+    pub(super) value: String,
+    pub(super) interval: String,
+    pub(super) half_width: String,
+    pub(super) dominated: String,
+    pub(super) parts: Vec<PartOfBar>,
+}
+
+/// A source in the bar of contributions.
+#[derive(Debug, Serialize)]
+pub(super) struct PartOfBar {
+    pub(super) source: &'static str,
+    /// Its part of the sum of squares [%].
+    pub(super) width: f64,
+    /// What it contributes, or why it does not.
+    pub(super) text: String,
+}
+
+/// A body.
+#[derive(Debug, Serialize)]
+pub(super) struct BodyIntervals {
+    pub(super) name: String,
+    pub(super) problem: Option<String>,
+    pub(super) figures: Vec<FigureRow>,
+}
+
+/// All that is shown of the intervals.
+#[derive(Debug, Serialize)]
+pub(super) struct ConfidenceSection {
+    pub(super) bodies: Vec<BodyIntervals>,
+    pub(super) variations: Vec<VariationRow>,
+    pub(super) budget: String,
+}
+
+/// The section of the report; `None` without intervals.
+pub(super) fn section(summary: &Summary) -> Option<ConfidenceSection> {
+    let confidence = summary.confidence.as_ref()?;
+    let body = |(name, body): (&String, &BodyConfidence)| BodyIntervals {
+        name: name.clone(),
+        problem: body.no_interval_because.clone(),
+        figures: body.figures.iter().map(|(key, figure)| figure_row(key, figure)).collect(),
+    };
+    Some(ConfidenceSection {
+        bodies: confidence.bodies.iter().map(body).collect(),
+        variations: confidence.variations.iter().map(variation_row).collect(),
+        budget: format!("{} s of {} s", digits(confidence.spent_s), digits(confidence.budget_s)),
+    })
+}
+
+fn variation_row(result: &VariationResult) -> VariationRow {
+    let what = match &result.because {
+        Some(why) if result.what.is_empty() => why.clone(),
+        Some(why) => format!("{}: {why}", result.what),
+        None => result.what.clone(),
+    };
+    VariationRow {
+        name: result.name.replace('_', " "),
+        source: result.source.word(),
+        what,
+        status: result.status.words(),
+        time: result.wall_s.map_or(String::new(), |seconds| format!("{} s", digits(seconds))),
+        verdict: result.verdict.map_or("", |verdict| verdict.name()),
+        folder: result.folder.clone(),
+    }
+}
+
+fn figure_row(key: &str, figure: &ConfidenceInterval) -> FigureRow {
+    let [low, high] = figure.interval;
+    let quantity = Quantity::keyed(key);
+    let unit = Unit::of(quantity.map_or("-", |q| q.column.unit), low.abs().max(high.abs()));
+    let number = |v: f64| format!("{} {}", digits(v / unit.size), unit.name).trim_end().to_owned();
+    let squares: f64 = figure.contributions.iter().map(|c| c.size().powi(2)).sum();
+    let part = |c: &Contribution| PartOfBar {
+        source: c.source.word(),
+        width: if squares > 0.0 { 100.0 * c.size().powi(2) / squares } else { 0.0 },
+        text: part_text(c, &number),
+    };
+    FigureRow {
+        name: quantity.map_or(key, |q| q.figure.words).to_owned(),
+        value: number(figure.value),
+        interval: format!("{} … {}", digits(low / unit.size), number(high)),
+        half_width: figure.relative_half_width.map_or_else(
+            || format!("± {}", number(figure.half_width)),
+            |relative| format!("± {} %", digits(100.0 * relative)),
+        ),
+        dominated: figure.dominated_by.map_or("", |source| source.word()).to_owned(),
+        parts: figure.contributions.iter().map(part).collect(),
+    }
+}
+
+fn part_text(contribution: &Contribution, number: &impl Fn(f64) -> String) -> String {
+    if contribution.status != Status::Examined {
+        return contribution.status.words().to_owned();
+    }
+    let Contribution { below, above, .. } = *contribution;
+    if below == above {
+        format!("± {}", number(above))
+    } else {
+        format!("−{} +{}", number(below), number(above))
+    }
+}
+
+/// The intervals as lines of text; none without them.
+#[must_use]
+pub fn confidence_lines(summary: &Summary) -> Vec<String> {
+    let Some(section) = section(summary) else { return Vec::new() };
+    let mut lines = Vec::new();
+    for body in section.bodies {
+        lines.push(format!("90 % intervals of {}", body.name));
+        lines.extend(body.problem.map(|why| format!("  none: {why}")));
+        for row in body.figures {
+            let dominated = match row.dominated.as_str() {
+                "" => String::new(),
+                source => format!(", dominated by {source}"),
+            };
+            lines.push(format!(
+                "  {}: {}, interval {} ({}{dominated})",
+                row.name, row.value, row.interval, row.half_width
+            ));
+            let parts: Vec<String> =
+                row.parts.iter().map(|part| format!("{} {}", part.source, part.text)).collect();
+            lines.push(format!("    {}", parts.join("; ")));
+        }
+    }
+    let told = section.variations.iter().filter(|row| row.status != Status::Examined.words());
+    lines.extend(told.map(|row| format!("  {} ({}): {}; {}", row.name, row.source, row.status, row.what)));
+    lines.push(format!("  variations took {}", section.budget));
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use results::confidence::Confidence;
+    use results::confidence::variations::ErrorSource;
+
+    fn summary() -> Summary {
+        let part = |source, status, side| Contribution {
+            source,
+            status,
+            below: side,
+            above: side,
+            ..Contribution::default()
+        };
+        let figure = ConfidenceInterval {
+            value: 50.0,
+            interval: [46.0, 54.0],
+            half_width: 4.0,
+            relative_half_width: Some(0.08),
+            dominated_by: Some(ErrorSource::Mesh),
+            is_complete: false,
+            contributions: vec![
+                part(ErrorSource::Mesh, Status::Examined, 4.0),
+                part(ErrorSource::Speed, Status::NotExamined, 0.0),
+            ],
+        };
+        let body =
+            BodyConfidence { figures: [("drag_N".to_owned(), figure)].into(), ..BodyConfidence::default() };
+        let unpaid = VariationResult {
+            name: "half_speed".into(),
+            source: ErrorSource::Speed,
+            because: Some("it would take 9 s".into()),
+            ..VariationResult::default()
+        };
+        let confidence = Confidence {
+            variations: vec![unpaid],
+            bodies: [("disc".to_owned(), body)].into(),
+            ..Confidence::default()
+        };
+        Summary { confidence: Some(confidence), ..Summary::default() }
+    }
+
+    #[test]
+    fn intervals_say_what_dominates_and_what_is_missing() {
+        let text = confidence_lines(&summary()).join("\n");
+        for words in [
+            "90 % intervals of disc",
+            "drag: 50.0 N, interval 46.0 … 54.0 N (± 8.00 %, dominated by mesh)",
+            "mesh ± 4.00 N; speed not examined",
+            "half speed (speed): not examined; it would take 9 s",
+        ] {
+            assert!(text.contains(words), "`{words}` is not in: {text}");
+        }
+        assert_eq!(confidence_lines(&Summary::default()), Vec::<String>::new());
+    }
+}

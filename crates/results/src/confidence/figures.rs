@@ -1,0 +1,155 @@
+//! What the variations of a case say. The names are part of `summary.json`, a contract.
+
+use crate::confidence::variations::ErrorSource;
+use crate::mesh_study::Convergence;
+use crate::trust::Verdict;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// The intervals of a run, and the variations that they follow from.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Confidence {
+    /// Wall-clock time that the variations were allowed to take together [s].
+    pub budget_s: f64,
+    /// Wall-clock time that they took [s].
+    pub spent_s: f64,
+    /// Representative cell width of the case's own mesh [m].
+    pub width_m: f64,
+    /// The variations, in the order in which they are run.
+    pub variations: Vec<VariationResult>,
+    /// The bodies by name.
+    pub bodies: BTreeMap<String, BodyConfidence>,
+}
+
+/// What became of a variation, or of a source of uncertainty.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// It was run, and counts.
+    Examined,
+    /// It does not apply to the case, or was left out on request.
+    NotApplicable,
+    /// It was not run for lack of budget.
+    #[default]
+    NotExamined,
+    /// It was run and came to its end, but cannot be compared.
+    NotComparable,
+    /// Its run is broken.
+    Broken,
+}
+
+impl Status {
+    /// In words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Examined => "examined",
+            Self::NotApplicable => "does not apply",
+            Self::NotExamined => "not examined",
+            Self::NotComparable => "not comparable",
+            Self::Broken => "broken",
+        }
+    }
+
+    /// Whether an interval lacks what it should say.
+    #[must_use]
+    pub fn is_missing(self) -> bool {
+        matches!(self, Self::NotExamined | Self::NotComparable | Self::Broken)
+    }
+}
+
+/// One variation and its results.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct VariationResult {
+    /// Its name.
+    pub name: String,
+    /// What it examines.
+    pub source: ErrorSource,
+    /// What differs from the case, in words.
+    pub what: String,
+    /// What became of it.
+    pub status: Status,
+    /// Why it does not count; `null` where it does.
+    pub because: Option<String>,
+    /// Its folder below the results folder; empty where it was not run.
+    pub folder: String,
+    /// Wall-clock time that was predicted from that of the case's own run [s].
+    pub predicted_wall_s: Option<f64>,
+    /// Wall-clock time that it took [s].
+    pub wall_s: Option<f64>,
+    /// Representative cell width [m].
+    pub width_m: f64,
+    /// How much longer everything takes that the case prescribes.
+    pub time_factor: f64,
+    /// Grade of its run.
+    pub verdict: Option<Verdict>,
+    /// Figures by body, averaged over the window of the case's own run.
+    pub bodies: BTreeMap<String, BTreeMap<String, f64>>,
+}
+
+/// The intervals of a body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct BodyConfidence {
+    /// Why there is no interval; `null` where there are intervals.
+    pub no_interval_because: Option<String>,
+    /// Change of the force over its mean over the window: of the drag of a body that is towed since the stretch before the window, of
+    /// the same length; of the vertical force of one that is pressed over the window; otherwise `null`. Where it is large, an
+    /// interval is that of the mean over the window, not of a load that stays.
+    pub force_change: Option<f64>,
+    /// Intervals by figure: `drag_N`, `vertical_N`, `lateral_N`, `sinkage_m`, `turn_ratio`; those without a meaning are left out.
+    pub figures: BTreeMap<String, ConfidenceInterval>,
+}
+
+/// The interval of a figure (90 %), with what it consists of.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ConfidenceInterval {
+    /// The value of the run: its steady mean, in the unit of the figure.
+    pub value: f64,
+    /// The interval, in the unit of the figure. The value need not lie in its middle.
+    pub interval: [f64; 2],
+    /// Half of its width, in the unit of the figure.
+    pub half_width: f64,
+    /// Half-width over the value; of a force below a tenth of the whole force on the body over that tenth, of the turn ratio over 1.
+    /// `null` where the value is 0 and the half-width is not.
+    pub relative_half_width: Option<f64>,
+    /// The largest contribution; `null` where all are 0.
+    pub dominated_by: Option<ErrorSource>,
+    /// Whether every source that applies was examined; where not, the interval may be too narrow.
+    pub is_complete: bool,
+    /// What it consists of.
+    pub contributions: Vec<Contribution>,
+}
+
+/// What one source of uncertainty contributes to an interval.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Contribution {
+    /// The source.
+    pub source: ErrorSource,
+    /// Whether it was examined.
+    pub status: Status,
+    /// Why it was not; `null` where it was.
+    pub because: Option<String>,
+    /// Change of the figure by the variation, in its unit; `null` for mesh and statistics.
+    pub change: Option<f64>,
+    /// How far the interval reaches below the value on its account, in the unit of the figure.
+    pub below: f64,
+    /// How far it reaches above.
+    pub above: f64,
+    /// The larger of both over what half-widths are compared with; `null` where that is 0.
+    pub relative: Option<f64>,
+    /// Of the mesh, how the figure converges; `null` where it was not examined.
+    pub convergence: Option<Convergence>,
+}
+
+impl Contribution {
+    /// The larger of both sides.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.below.max(self.above)
+    }
+}

@@ -1,0 +1,16 @@
+//! One interval for each force and sinkage of a run, from the same case on other meshes, in a larger domain, at half the speed and in
+//! the other precision, and what dominates it.
+//!
+//! It is calculated from histories and grades alone; `run` makes them, `output` reads them. The formulas and their sources are in
+//! `docs/theory/confidence.md`.
+
+mod checks;
+mod combine;
+mod evaluate;
+mod figures;
+mod statistics;
+pub mod variations;
+
+pub use combine::{REACH_DOMAIN, REACH_SPEED, SAFETY_PRECISION};
+pub use evaluate::{VariedRun, evaluate};
+pub use figures::{BodyConfidence, Confidence, ConfidenceInterval, Contribution, Status, VariationResult};
