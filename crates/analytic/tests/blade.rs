@@ -45,7 +45,8 @@ fn found(towing: &Towing, model: Candidate) -> Prediction {
     entry.prediction.unwrap_or_else(|| panic!("{}: {}", entry.name, entry.note))
 }
 
-/// The end factors of the derivation (φ = 35°, δ = ⅔φ), times the thrusts in plane strain: 7.773 exact, 9.962 Coulomb.
+/// The end factors of the derivation (φ = 35°, δ = ⅔φ), times the thrusts in plane strain: 7.773 exact, 9.962
+/// Coulomb.
 #[test]
 fn upright_blades_reproduce_the_table_of_end_factors() {
     let delta = 70_f64.to_radians() / 3.0;
@@ -96,7 +97,8 @@ fn a_wall_in_plane_strain_has_the_exact_thrust() {
     assert!((coulomb.drag.hypot(coulomb.vertical) / rankine * 3.0 - 10.095).abs() < 2e-2);
 }
 
-/// A rotated plate whose front overhangs the soil has the K_n of its inclination (derivation: φ = 35°, α = 70°, δ = 0).
+/// A rotated plate whose front overhangs the soil has the K_n of its inclination (derivation: φ = 35°, α =
+/// 70°, δ = 0).
 #[test]
 fn an_overhanging_front_is_pressed_up_and_a_raked_one_drawn_down() {
     let plate = Block { plane_strain: true, ..block(0.4, 20.0) };
@@ -191,7 +193,8 @@ fn a_faceted_disc_has_the_forces_of_the_disc() {
     }
 }
 
-/// A block that is free to sink is in equilibrium where front and base carry it; sinkage and drag increase with weight.
+/// A block that is free to sink is in equilibrium where front and base carry it; sinkage and drag increase
+/// with weight.
 #[test]
 fn a_block_sinks_to_its_equilibrium() {
     let at = |weight: f64, model| {
@@ -234,7 +237,8 @@ fn no_prediction_is_not_a_number() {
     assert!(message.contains("above 0 and at most 0.25 m"), "{message}");
 }
 
-/// A table over the range of the friction angle gives the result of the field itself; curves exist for all models.
+/// A table over the range of the friction angle gives the result of the field itself; curves exist for all
+/// models.
 #[test]
 fn blades_have_curves_and_uncertainty() {
     let case = held(soil(35.0, 0.4), block(0.3, 0.0), 0.1);

@@ -57,7 +57,8 @@ fn forces_match_the_table() {
         (Model::Wedge, Drive::Free),
         (Model::PlaneStrain, Drive::Free),
         (Model::Bearing, Drive::Locked),
-        // The wedge that a locked disc drags along, the last two columns, is compared in the next test: the models do without it.
+        // The wedge that a locked disc drags along, the last two columns, is compared in the next test: the
+        // models do without it.
     ];
     let mut worst = [0.0_f64; 2];
     for (phi, z, row) in TABLE {

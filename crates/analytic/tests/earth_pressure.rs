@@ -68,7 +68,8 @@ fn vertical_walls_match_the_table() {
 }
 
 const NONE: f64 = f64::NAN;
-/// α [deg], K_n for δ/φ = −⅔, −⅓, 0, ⅓, ⅔, 0.9, then r_f/L for −⅔, 0, ⅔; NaN where no continuous field exists.
+/// α [deg], K_n for δ/φ = −⅔, −⅓, 0, ⅓, ⅔, 0.9, then r_f/L for −⅔, 0, ⅔; NaN where no continuous field
+/// exists.
 #[allow(clippy::approx_constant)] // 6.28 is a coefficient here.
 const DISC_30: [[f64; 10]; 13] = [
     [5., 2.89, 7.14, 13.95, 23.04, 32.92, 38.70, 0.68, 1.87, 2.93],
@@ -247,8 +248,8 @@ fn coulomb_on_the_overhanging_face_is_far_too_large_or_missing() {
     }
 }
 
-/// The field is found for each of a thousand faces. Also a benchmark: the user time of this test in seconds is the time of
-/// one coefficient in milliseconds.
+/// The field is found for each of a thousand faces. Also a benchmark: the user time of this test in seconds
+/// is the time of one coefficient in milliseconds.
 #[test]
 fn a_thousand_fields() {
     let ratios = [-0.4, 0.0, 0.3, 0.6, 1.0];

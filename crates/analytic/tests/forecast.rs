@@ -98,7 +98,8 @@ fn thin_discs_fail_sideways_and_thick_ones_forwards() {
     }
 }
 
-/// Where the vertical forces of BC and PW cross, their drags differ by half; the prediction must be continuous there.
+/// Where the vertical forces of BC and PW cross, their drags differ by half; the prediction must be
+/// continuous there.
 #[test]
 fn sinkage_and_drag_are_continuous_where_the_mechanisms_cross() {
     let cases = [
@@ -339,7 +340,8 @@ fn held(model: Candidate, degrees: f64, sinkage: f64, drive: Drive) -> [f64; 2] 
     predict(model, &case, None).map_or([f64::INFINITY; 2], |found| [found.drag, found.vertical])
 }
 
-/// Between `low` and `high` the largest step of either force shrinks with the steps of the variable: at a jump it would not.
+/// Between `low` and `high` the largest step of either force shrinks with the steps of the variable: at a
+/// jump it would not.
 fn has_no_jump(what: &str, (low, high, count): (f64, f64, u32), forces: impl Fn(f64) -> [f64; 2]) {
     let largest_step = |count: u32| {
         let at = |n: u32| forces(low + (high - low) * f64::from(n) / f64::from(count));
@@ -355,8 +357,9 @@ fn has_no_jump(what: &str, (low, high, count): (f64, f64, u32), forces: impl Fn(
     assert!(fine < 0.4 * coarse + 1e-3, "{what}: steps of {coarse:.4} and {fine:.4} of the force");
 }
 
-/// Drag and vertical force at a held sinkage are continuous in friction angle, sinkage and slip. (They were not: the wedge that
-/// a locked disc drags along has no field below φ = 1.5 atan μ = 32.7°, where the drag jumped from 28 to 9 N.)
+/// Drag and vertical force at a held sinkage are continuous in friction angle, sinkage and slip. (They were
+/// not: the wedge that a locked disc drags along has no field below φ = 1.5 atan μ = 32.7°, where the drag
+/// jumped from 28 to 9 N.)
 #[test]
 fn forces_at_a_held_sinkage_do_not_jump() {
     let drives = [Drive::Locked, Drive::Free, Drive::Slip(-0.3), Drive::Slip(0.0)];

@@ -61,7 +61,8 @@ fn violations(face: &Face, k: f64) -> usize {
     violations.len()
 }
 
-/// A millisecond of a current core is about 10⁵ sines; the comparison is independent of the load of the machine.
+/// A millisecond of a current core is about 10⁵ sines; the comparison is independent of the load of the
+/// machine.
 #[test]
 fn one_solution_takes_less_than_a_hundred_thousand_sines() {
     let start = Instant::now();

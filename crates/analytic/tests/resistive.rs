@@ -74,7 +74,8 @@ fn the_cmu_wheel_skids_a_little() {
             && (free.sinkage / 0.116 - 0.162).abs() < 1.5e-3
             && (free.slip + 0.08).abs() < 5e-3
     );
-    // With the sign change of the friction resolved: 8.11 N, Z = 0.1631, slip −0.084 (the derivation: 8.1, 0.162, −0.08).
+    // With the sign change of the friction resolved: 8.11 N, Z = 0.1631, slip −0.084 (the derivation: 8.1,
+    // 0.162, −0.08).
     println!("free {:.4} N, Z {:.4}, slip {:.4}", free.drag, free.sinkage / 0.116, free.slip);
     let locked = under_weight(&law, &wheel, 19.5, Drive::Locked).unwrap();
     assert!((locked.drag - 18.5).abs() < 0.05 && (locked.sinkage - 0.0336).abs() < 1e-4);

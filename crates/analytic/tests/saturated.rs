@@ -1,11 +1,13 @@
-//! Blades in saturated sand beside the tables of Miedema (2019), The Delft Sand, Clay & Rock Cutting Model (CC BY-NC), LibreTexts edition:
-//! appendices D, E, H, I and J. Blade angle α, wall friction δ, friction angle φ in degrees.
+//! Blades in saturated sand beside the tables of Miedema (2019), The Delft Sand, Clay & Rock Cutting Model
+//! (CC BY-NC), LibreTexts edition: appendices D, E, H, I and J. Blade angle α, wall friction δ, friction
+//! angle φ in degrees.
 #![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
 
 use analytic::Soil;
 use analytic::cutting::{Blade, PloughCoefficients, SaturatedCut, SaturatedSand, Seepage};
 
-/// Angles of the tables [°]: α and δ of their rows, φ of their columns. That of 52° is beyond the soils of this crate.
+/// Angles of the tables [°]: α and δ of their rows, φ of their columns. That of 52° is beyond the soils of
+/// this crate.
 const BLADES: [f64; 4] = [15.0, 30.0, 45.0, 60.0];
 const WALLS: [f64; 6] = [15.0, 18.0, 21.0, 24.0, 27.0, 30.0];
 const FRICTIONS: [f64; 4] = [32.0, 37.0, 42.0, 47.0];
@@ -180,7 +182,8 @@ fn cavitation_everywhere_is_equilibrium_alone_and_caps_the_force() {
 
 #[test]
 fn suction_in_sand_that_loosens_follows_the_weighted_permeability_of_the_tables() {
-    // Appendix G: c₁ over k_m = a₁ k_i + (1 − a₁) k_max is the same for any k_i; a₁ at δ = 24°, φ = 42°, h_b/h_i = 1.
+    // Appendix G: c₁ over k_m = a₁ k_i + (1 − a₁) k_max is the same for any k_i; a₁ at δ = 24°, φ = 42°,
+    // h_b/h_i = 1.
     for (alpha, a1) in [(30_f64, 0.508), (45.0, 0.516), (60.0, 0.507)] {
         let of = |permeability_ratio: f64| {
             let seepage = Seepage {

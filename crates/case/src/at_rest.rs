@@ -3,9 +3,9 @@
 use super::resolved::Law;
 use super::slope::Slope;
 
-/// Coefficient of earth pressure at rest of a soil that has this one [−] on level ground: as much larger as it takes for the soil
-/// to rest on the slope with 0.98 of its friction, where that is possible; 1 for soil without friction, whose shear
-/// stress is then least.
+/// Coefficient of earth pressure at rest of a soil that has this one [−] on level ground: as much larger as
+/// it takes for the soil to rest on the slope with 0.98 of its friction, where that is possible; 1 for soil
+/// without friction, whose shear stress is then least.
 pub(super) fn k0(slope: &Slope, level: f64, law: &Law) -> f64 {
     if slope.is_level() {
         return level;
@@ -27,8 +27,8 @@ fn extremes(stresses: [f64; 3]) -> [f64; 2] {
     [f64::max, f64::min].map(|of| of(of(stresses[0], stresses[1]), stresses[2]))
 }
 
-/// Whether soil of a law sustains these principal stresses [Pa], compression positive; of sand up to the critical state, since shear
-/// beyond it only hardens it up to its peak.
+/// Whether soil of a law sustains these principal stresses [Pa], compression positive; of sand up to the
+/// critical state, since shear beyond it only hardens it up to its peak.
 pub(super) fn sustains(law: &Law, mut stresses: [f64; 3]) -> bool {
     stresses.sort_by(|a, b| b.total_cmp(a));
     law.sustains(stresses)

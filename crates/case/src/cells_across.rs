@@ -5,8 +5,8 @@ use super::rigid_body::Body;
 use super::shapes::{Shape, Size};
 use glam::DVec3;
 
-/// Cells across each of the least sizes of a shape, one for each key, in a grid whose fine cells have the widths `cell` [m]; of a
-/// slab of plane strain without its width, which is one cell whatever the body.
+/// Cells across each of the least sizes of a shape, one for each key, in a grid whose fine cells have the
+/// widths `cell` [m]; of a slab of plane strain without its width, which is one cell whatever the body.
 pub(super) fn cells_across(shape: &Shape, (cell, plane_strain): (DVec3, bool)) -> Vec<(Size, f64)> {
     let sizes: Vec<_> = shape.sizes().into_iter().filter(|s| !(plane_strain && s.axis == Some(1))).collect();
     let narrowest =
@@ -18,14 +18,16 @@ pub(super) fn cells_across(shape: &Shape, (cell, plane_strain): (DVec3, bool)) -
     least.map(|size| (*size, cells(size))).collect()
 }
 
-/// The inset that a thin body reduces, in cell widths, and the portion of its thickness to which it does: four fifths of a thin rim keep
-/// contact points. With a quarter a flat disc of one cell found 42 % of its drag on four, with four fifths 108 % (docs/studies/thin-bodies.md).
+/// The inset that a thin body reduces, in cell widths, and the portion of its thickness to which it does:
+/// four fifths of a thin rim keep contact points. With a quarter a flat disc of one cell found 42 % of its
+/// drag on four, with four fifths 108 % (docs/studies/thin-bodies.md).
 const USUAL: f64 = 0.5;
 const MOST: f64 = 0.1;
 
 impl Case {
-    /// Distance between the contact points of a body and its sharp edges, along each of its axes [cell widths]. Half a cell from both
-    /// edges would leave a thin rim few points or none; a larger inset that was asked for stays as it is.
+    /// Distance between the contact points of a body and its sharp edges, along each of its axes [cell
+    /// widths]. Half a cell from both edges would leave a thin rim few points or none; a larger inset that
+    /// was asked for stays as it is.
     #[must_use]
     pub fn edge_inset(&self, body: &Body) -> DVec3 {
         let inset = DVec3::splat(self.numerics.edge_inset);

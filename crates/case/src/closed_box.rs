@@ -1,25 +1,30 @@
-//! Soil that fills its box up to the lid: walls, floor and lid do not yield, and what enters compresses all of it.
+//! Soil that fills its box up to the lid: walls, floor and lid do not yield, and what enters compresses all
+//! of it.
 
 use super::path::range;
 use super::resolved::{Body, Case, Ground, Soil};
 use super::water::of_width;
 use glam::DVec3;
 
-/// Cohesion times this is what soil bears round a body at depth: bearing factors of cones and bars in clay are 9 to 13.
+/// Cohesion times this is what soil bears round a body at depth: bearing factors of cones and bars in clay
+/// are 9 to 13.
 const BEARING_FACTOR: f64 = 10.0;
 
 /// A closed box of soil.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosedBox {
-    /// Rise of the mean pressure per volume of a body that enters, K/V of the whole box [Pa/m³]. The volume is that of the whole body,
-    /// of which planes of symmetry may cut off parts, in plane strain that of a metre.
+    /// Rise of the mean pressure per volume of a body that enters, K/V of the whole box [Pa/m³]. The volume
+    /// is that of the whole body, of which planes of symmetry may cut off parts, in plane strain that of a
+    /// metre.
     pub stiffness: f64,
-    /// Pressure that the soil bears round the bodies [Pa]: overburden, its weight, and ten times its strength.
+    /// Pressure that the soil bears round the bodies [Pa]: overburden, its weight, and ten times its
+    /// strength.
     pub bearable: f64,
 }
 
 impl ClosedBox {
-    /// Rise of the pressure that does no harm, over what the soil bears [%]; chosen: a cone in clay read 4 % low at 18 %.
+    /// Rise of the pressure that does no harm, over what the soil bears [%]; chosen: a cone in clay read 4 %
+    /// low at 18 %.
     pub const HARMLESS: f64 = 10.0;
 
     /// The closed box of a case; `None` where soil can rise or leave, through a face at constant stress too.
@@ -70,7 +75,8 @@ pub(super) fn entering_volume(case: &Case, body: &Body) -> f64 {
     (volume_below(case, body, surface - deepest) - volume_below(case, body, surface)).max(0.0)
 }
 
-/// Volume of a body below a level that is this high over its reference point [m³]: the flux of (z − level) through its surface.
+/// Volume of a body below a level that is this high over its reference point [m³]: the flux of (z − level)
+/// through its surface.
 fn volume_below(case: &Case, body: &Body, level: f64) -> f64 {
     let solid = body.solid();
     let (mesh, axle) = (solid.mesh(), body.attitude.of_axle());

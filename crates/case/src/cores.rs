@@ -1,7 +1,8 @@
 //! How many cores this program may use, and how many threads a run has where nobody says.
 //!
-//! The scheduler's word comes first, then OpenMP's, then what the system grants: `available_parallelism` of the standard library,
-//! which heeds affinity and the quotas of control groups of both versions. Several processes of a run on one machine share its cores.
+//! The scheduler's word comes first, then OpenMP's, then what the system grants: `available_parallelism` of
+//! the standard library, which heeds affinity and the quotas of control groups of both versions. Several
+//! processes of a run on one machine share its cores.
 
 use std::path::Path;
 
@@ -31,13 +32,15 @@ pub fn threads(asked: usize) -> usize {
     if asked == 0 { threads_by_default().count } else { asked }
 }
 
-/// Threads of a run where nobody says: `SLURM_CPUS_PER_TASK`, else `OMP_NUM_THREADS`, else one per core that this process may use.
+/// Threads of a run where nobody says: `SLURM_CPUS_PER_TASK`, else `OMP_NUM_THREADS`, else one per core that
+/// this process may use.
 #[must_use]
 pub fn threads_by_default() -> Cores {
     Place::here(&variable).cores(&[OF_TASK, OPENMP])
 }
 
-/// Cores that this program may fill with runs side by side: the same without OpenMP's number, which is that of one run.
+/// Cores that this program may fill with runs side by side: the same without OpenMP's number, which is that
+/// of one run.
 #[must_use]
 pub fn cores() -> Cores {
     Place::here(&variable).cores(&[OF_TASK])
@@ -66,8 +69,8 @@ impl<'a> Place<'a> {
         Self { variable, own, together: together(own, mask("self"), launcher) }
     }
 
-    /// The first of these variables that is set, or this process's share; never more than it may use, as threads that
-    /// wait for each other on one core are slower than one.
+    /// The first of these variables that is set, or this process's share; never more than it may use, as
+    /// threads that wait for each other on one core are slower than one.
     fn cores(&self, names: &[&str]) -> Cores {
         let mut notes = Vec::new();
         for name in names {
@@ -100,7 +103,8 @@ impl<'a> Place<'a> {
         said.into_iter().flatten().max().unwrap_or(1)
     }
 
-    /// The number, at least one, that a variable states; none where it is not set or empty. What cannot be read is noted.
+    /// The number, at least one, that a variable states; none where it is not set or empty. What cannot be
+    /// read is noted.
     fn number(
         &self,
         name: &str,
@@ -138,8 +142,9 @@ fn of_machine(list: &str, machine: usize) -> Option<usize> {
     None
 }
 
-/// Cores that the processes of a launcher have together, from what this process may use, its mask and the launcher's. A launcher that
-/// binds its processes, each to other cores, is not bound itself. Where this process may use less than its mask there is a quota, of all.
+/// Cores that the processes of a launcher have together, from what this process may use, its mask and the
+/// launcher's. A launcher that binds its processes, each to other cores, is not bound itself. Where this
+/// process may use less than its mask there is a quota, of all.
 fn together(own: usize, mask: Option<usize>, launcher: Option<usize>) -> usize {
     let has_quota = mask.is_some_and(|mask| own < mask);
     launcher.map_or(own, |launcher| if has_quota { launcher.min(own) } else { launcher })

@@ -38,7 +38,8 @@ pub fn table(section: &KeyTable, heading: &str) -> String {
     text
 }
 
-/// The section without keys that another one has explained: a layer has those of the soil, a soil body those of a shape as well.
+/// The section without keys that another one has explained: a layer has those of the soil, a soil body those
+/// of a shape as well.
 fn own(section: KeyTable) -> KeyTable {
     match section.name {
         "layer" => KeyTable { keys: &section.keys[..1], ..section },

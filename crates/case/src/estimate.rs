@@ -12,7 +12,8 @@ use solver::grid::{LANES, finest_of, longer_step};
 use solver::precision::Scalar as _;
 use std::f64::consts::FRAC_PI_4;
 
-/// The program itself, its libraries and its input [bytes]; measured on Linux: what `coulter check` takes for a small case.
+/// The program itself, its libraries and its input [bytes]; measured on Linux: what `coulter check` takes for
+/// a small case.
 const PROGRAM: f64 = 14.0e6;
 
 /// Memory of a run [bytes].
@@ -130,7 +131,8 @@ pub fn most_contact_points(case: &Case) -> Option<(String, f64)> {
     points.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Estimated displacement of a body at the end [m]: one that is free to sink is assumed to do so by a tenth of its height.
+/// Estimated displacement of a body at the end [m]: one that is free to sink is assumed to do so by a tenth
+/// of its height.
 fn moved(body: &Body, duration: f64) -> DVec3 {
     let [x, y, z] = body.guided().translation.each_ref().map(|freedom| travel(freedom, duration));
     let sunk = if body.guided().translation[2].is_free() { -0.1 * body.size().z } else { z };

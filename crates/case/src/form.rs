@@ -1,4 +1,5 @@
-//! Files with keys other than cases, such as studies: read against tables of keys, with the same errors as a case.
+//! Files with keys other than cases, such as studies: read against tables of keys, with the same errors as a
+//! case.
 
 use super::format;
 use super::keys::{self, DefaultValue, KeyTable, Kind};
@@ -39,7 +40,8 @@ impl Form {
     }
 }
 
-/// Whether the key of a case at a path takes this value, by its kind and its range alone; if not, what is wrong and what to write.
+/// Whether the key of a case at a path takes this value, by its kind and its range alone; if not, what is
+/// wrong and what to write.
 ///
 /// # Errors
 /// Message and cure.
@@ -73,7 +75,8 @@ pub fn find<'a>(entries: &'a [Entry], path: &str) -> Option<&'a Value> {
     }
 }
 
-/// Reads the entries of a section against its table of keys; unknown keys are reported, unless `others` knows them.
+/// Reads the entries of a section against its table of keys; unknown keys are reported, unless `others` knows
+/// them.
 pub fn section(
     entries: &[Entry],
     table: &KeyTable,

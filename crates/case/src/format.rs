@@ -71,7 +71,8 @@ pub fn new_name(typed: &str) -> Option<String> {
     Some(if section.is_empty() { found.new.to_owned() } else { format!("{section}.{}", found.new) })
 }
 
-/// Reports a file that does not say in which format it is written; studies are written in that of their cases.
+/// Reports a file that does not say in which format it is written; studies are written in that of their
+/// cases.
 pub(super) fn missing(problems: &mut Problems) {
     problems.add(
         "format",

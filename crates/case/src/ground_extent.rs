@@ -16,7 +16,8 @@ impl Case {
         heaps.fold(highest, f64::max)
     }
 
-    /// Ends along x and y of the ground that the grid meets on its way, with the ghost layers in front of it [m].
+    /// Ends along x and y of the ground that the grid meets on its way, with the ghost layers in front of it
+    /// [m].
     pub(crate) fn area(&self) -> [[f64; 2]; 2] {
         let travelled = Paths::of(self).of_grid();
         [0, 1].map(|axis| {

@@ -1,4 +1,5 @@
-//! The JSON schema of a case file, generated from the tables of keys: editors use it to complete and check case files.
+//! The JSON schema of a case file, generated from the tables of keys: editors use it to complete and check
+//! case files.
 
 use super::format::FORMAT;
 use super::keys::words::{DENSITIES, WALLS};

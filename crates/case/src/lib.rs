@@ -1,7 +1,8 @@
-//! The case: what was typed (`schema`), what it means (`Case`, SI units), and whether it can be simulated (`validate`).
+//! The case: what was typed (`schema`), what it means (`Case`, SI units), and whether it can be simulated
+//! (`validate`).
 //!
-//! A case is read from a file ([`load`]), from its text ([`parse`]) or from nested maps ([`from_json`]), and each of these
-//! checks it. One that is made or changed by hand is checked by [`validate`].
+//! A case is read from a file ([`load`]), from its text ([`parse`]) or from nested maps ([`from_json`]), and
+//! each of these checks it. One that is made or changed by hand is checked by [`validate`].
 
 mod advice;
 mod at_rest;

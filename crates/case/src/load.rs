@@ -20,8 +20,9 @@ pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
     parse(&text(path)?, &path.display().to_string(), overrides)
 }
 
-/// As [`load`], for the closed-form models: with the standard deviations that the file states, such as `"35 ± 2 deg"`, the case
-/// holding the means; and with any resolution of the grid and any cost of a run, which do not matter to them.
+/// As [`load`], for the closed-form models: with the standard deviations that the file states, such as `"35 ±
+/// 2 deg"`, the case holding the means; and with any resolution of the grid and any cost of a run, which do
+/// not matter to them.
 ///
 /// # Errors
 /// [`CaseError`] holds everything else that is wrong, with its location in the file.
@@ -45,8 +46,8 @@ pub fn parse_for_forecast(
     parse_with_deviations(text, source_name, overrides, Problems::without_resolution())
 }
 
-/// Reads the soil of the case file at `path`, and the name of the case. It needs no other section than `[soil]`; those that it has are
-/// checked for their form only.
+/// Reads the soil of the case file at `path`, and the name of the case. It needs no other section than
+/// `[soil]`; those that it has are checked for their form only.
 ///
 /// # Errors
 /// As [`load`].
@@ -80,7 +81,8 @@ pub fn text(path: &Path) -> Result<String, CaseError> {
 /// Largest case file that is read [bytes]; the shipped ones have some 2 kB, 500 bodies some 150 kB.
 const MAX_BYTES: u64 = 1 << 20;
 
-/// The content of a case file. Anything but an ordinary file (a pipe, a device) could be endless and is refused.
+/// The content of a case file. Anything but an ordinary file (a pipe, a device) could be endless and is
+/// refused.
 fn read(path: &Path) -> std::io::Result<Result<Vec<u8>, CaseError>> {
     let (name, about) = (path.display().to_string(), std::fs::metadata(path)?);
     if !about.is_file() && !about.is_dir() {
@@ -111,8 +113,8 @@ fn unreadable(path: &Path, name: &str, error: &std::io::Error) -> CaseError {
     CaseError::unreadable(name, format!("{name}: cannot be read: {error}"), cure)
 }
 
-/// Reads a case from its text; `source_name` is what to call it in messages. Files that it names are looked for in the folder of
-/// `source_name`, in the current one if that is not a path.
+/// Reads a case from its text; `source_name` is what to call it in messages. Files that it names are looked
+/// for in the folder of `source_name`, in the current one if that is not a path.
 ///
 /// # Errors
 /// [`CaseError`] holds everything that is wrong, with its location in the text.
@@ -120,9 +122,10 @@ pub fn parse(text: &str, source_name: &str, overrides: &[String]) -> Result<Case
     parse_with_deviations(text, source_name, overrides, Problems::default()).map(|(case, _)| case)
 }
 
-/// Reads a case from nested maps, with the keys of a case file and the values as they are typed there: `{"soil":
-/// {"cohesion": "2 kPa"}, …}`. Bodies are in the order of the map. `name` is what to call the case in messages, and its name if it
-/// gives itself none; where it is a path, files that the case names are looked for in its folder.
+/// Reads a case from nested maps, with the keys of a case file and the values as they are typed there:
+/// `{"soil": {"cohesion": "2 kPa"}, …}`. Bodies are in the order of the map. `name` is what to call the case
+/// in messages, and its name if it gives itself none; where it is a path, files that the case names are
+/// looked for in its folder.
 ///
 /// # Errors
 /// [`CaseError`] holds everything that is wrong, each with the path of its key; there are no lines.

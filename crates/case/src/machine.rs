@@ -1,4 +1,5 @@
-//! What this machine has available: memory, within the limits of containers and job schedulers, and disk space.
+//! What this machine has available: memory, within the limits of containers and job schedulers, and disk
+//! space.
 //!
 //! Tested on Linux; on other systems the crate `sysinfo` reports the free memory, which is untested here.
 
@@ -16,12 +17,13 @@ pub struct MemoryLeft {
     pub of: &'static str,
 }
 
-/// What a run needs beside its grid, its contact points and its tables while it draws pictures and writes the report, with its program
-/// and its libraries mapped [bytes], chosen. It counts where the system limits what is mapped.
+/// What a run needs beside its grid, its contact points and its tables while it draws pictures and writes the
+/// report, with its program and its libraries mapped [bytes], chosen. It counts where the system limits what
+/// is mapped.
 const BESIDE: f64 = 32e6;
 
-/// Memory that is available to a run, where the system reports it: the free memory, or less where a control group (of a container, of
-/// a SLURM job) or a limit of this process (`ulimit`, batch systems) allows less.
+/// Memory that is available to a run, where the system reports it: the free memory, or less where a control
+/// group (of a container, of a SLURM job) or a limit of this process (`ulimit`, batch systems) allows less.
 #[must_use]
 pub fn memory_left() -> Option<MemoryLeft> {
     let free = sysinfo::System::new().ok().and_then(|mut system| {
@@ -76,7 +78,8 @@ pub fn free_space(folder: &Path) -> Option<f64> {
     fs4::available_space(there).ok().map(|bytes| bytes as f64)
 }
 
-/// Names of the files of a control group: its limit, its usage, and the portion of it that is only cached [bytes].
+/// Names of the files of a control group: its limit, its usage, and the portion of it that is only cached
+/// [bytes].
 struct Names {
     limit: &'static str,
     used: &'static str,
@@ -91,7 +94,8 @@ const FIRST: Names = Names {
 const SECOND: Names =
     Names { limit: "memory.max", used: "memory.current", cached: ["inactive_file", "active_file"] };
 
-/// Memory that is left in the control groups of this program, as `/proc/self/cgroup` names them, and in those above them
+/// Memory that is left in the control groups of this program, as `/proc/self/cgroup` names them, and in those
+/// above them
 /// [bytes]; `None` where none has a limit.
 fn left_in_groups(mount: &Path, own: &str) -> Option<f64> {
     let groups = own.lines().filter_map(|line| {

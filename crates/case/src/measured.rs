@@ -40,7 +40,8 @@ pub struct Plough {
     pub rate: [f64; 2],
 }
 
-/// Pressure–sinkage parameters of Bekker, p = (k_c/b + k_φ) zⁿ, and shear deformation modulus of Janosi and Hanamoto.
+/// Pressure–sinkage parameters of Bekker, p = (k_c/b + k_φ) zⁿ, and shear deformation modulus of Janosi and
+/// Hanamoto.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plate {
     /// The published soil that they belong to, if any.

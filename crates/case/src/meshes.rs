@@ -12,8 +12,8 @@ use toml_edit::DocumentMut;
 pub const RATIO: f64 = 1.5;
 /// Numbers of meshes of a study; more would be too coarse to be of use.
 pub const COUNTS: RangeInclusive<usize> = 2..=4;
-/// Least ratio of the representative widths of neighbouring meshes (chosen: with less, the difference of two figures is mostly
-/// scatter). It is 1.5 unless cells were fitted to flat faces.
+/// Least ratio of the representative widths of neighbouring meshes (chosen: with less, the difference of two
+/// figures is mostly scatter). It is 1.5 unless cells were fitted to flat faces.
 pub const LEAST_RATIO: f64 = 1.2;
 
 /// A case on a coarser mesh.
@@ -27,8 +27,8 @@ pub struct CoarserMesh {
     pub name: String,
 }
 
-/// Representative cell width of a case [m]: the geometric mean of the smallest widths along x, y and z, in plane strain along x
-/// and z.
+/// Representative cell width of a case [m]: the geometric mean of the smallest widths along x, y and z, in
+/// plane strain along x and z.
 #[must_use]
 pub fn representative_width(case: &Case) -> f64 {
     let finest =
@@ -40,12 +40,14 @@ pub fn representative_width(case: &Case) -> f64 {
     }
 }
 
-/// The coarser meshes of a study on `count` meshes, the coarsest first: `grid.cell` is [`RATIO`] times as large on each as on the
-/// next finer, up to that of `case`, and everything else is as it was. `text` is the text of the case, overrides included; what
-/// is derived from `grid.cell` where it is not typed, the box and the slab of plane strain, is written into it.
+/// The coarser meshes of a study on `count` meshes, the coarsest first: `grid.cell` is [`RATIO`] times as
+/// large on each as on the next finer, up to that of `case`, and everything else is as it was. `text` is the
+/// text of the case, overrides included; what is derived from `grid.cell` where it is not typed, the box and
+/// the slab of plane strain, is written into it.
 ///
 /// # Errors
-/// [`CaseError`] where one of the meshes cannot be had, and for a case without a body, of which there is nothing to compare.
+/// [`CaseError`] where one of the meshes cannot be had, and for a case without a body, of which there is
+/// nothing to compare.
 pub fn coarser(
     case: &Case,
     text: &str,

@@ -68,7 +68,8 @@ pub fn ground(case: &Case) -> Ground {
     }
 }
 
-/// The materials of the soils from the top down and of the soil bodies, each with its strength and density from its top.
+/// The materials of the soils from the top down and of the soil bodies, each with its strength and density
+/// from its top.
 pub fn materials(case: &Case) -> Vec<Material> {
     let depths = std::iter::once(0.0).chain(case.layers.iter().map(|layer| layer.top));
     let heaps = case.soil_bodies.iter().map(|body| body.solver_body(0).bounds[1].z);
@@ -113,8 +114,8 @@ fn boundaries(case: &Case) -> Boundaries {
     Boundaries(boundaries)
 }
 
-/// The ends of a grid that follows a body along an axis: undisturbed ground enters in front, and what is behind leaves as it is.
-/// Above and below the ground is undisturbed.
+/// The ends of a grid that follows a body along an axis: undisturbed ground enters in front, and what is
+/// behind leaves as it is. Above and below the ground is undisturbed.
 fn open_ends(body: Option<&resolved::Body>, axis: usize, duration: f64) -> [Boundary; 2] {
     let sign = |motion: &Motion| match motion {
         Motion::Prescribed { speed, .. } => *speed,
@@ -174,8 +175,8 @@ fn inertia(body: &resolved::Body) -> Inertia {
     Inertia { mass, centre, tensor: all.iter().map(about).fold(DMat3::ZERO, |sum, one| sum + one) }
 }
 
-/// Mass properties of a homogeneous solid, its tensor scaled so that it has this moment of inertia about the axle [kg m²]; of a
-/// frame, which has no volume, the same moment about every axis.
+/// Mass properties of a homogeneous solid, its tensor scaled so that it has this moment of inertia about the
+/// axle [kg m²]; of a frame, which has no volume, the same moment about every axis.
 fn one_inertia(solid: &dyn Shape, mass: f64, axle_inertia: f64) -> Inertia {
     if !solid.has_surface() {
         let tensor = DMat3::from_diagonal(DVec3::splat(axle_inertia));

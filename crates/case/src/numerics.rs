@@ -141,7 +141,8 @@ impl Numerics {
 
     /// The parameters for the soil of a case as typed; `None` with problems added.
     pub(crate) fn typed(section: &Section, soil: &Section, problems: &mut Problems) -> Option<Self> {
-        // Undrained soil tolerates and needs more viscosity: its contact pressure does not vanish at the surface. So does metal.
+        // Undrained soil tolerates and needs more viscosity: its contact pressure does not vanish at the
+        // surface. So does metal.
         let law = soil.text("law").unwrap_or_default();
         let viscosity = Self::KEYS.iter().find_map(|key| key.default.for_law(&law))?;
         let start = Self { bulk_viscosity_linear: viscosity, ..Self::default() };

@@ -5,7 +5,8 @@ use serde::Serialize;
 use solver::fields::{Kinds, arrays};
 use solver::state::RimSums;
 
-/// A cell with soil in a field file [bytes]: 18 numbers of 32 bits, compressed; measured (towed disc 59, column 61).
+/// A cell with soil in a field file [bytes]: 18 numbers of 32 bits, compressed; measured (towed disc 59,
+/// column 61).
 const PACKED_CELL: f64 = 60.0;
 /// A cell without soil in a field file [bytes]: all zeros, compressed; measured.
 const PACKED_VOID: f64 = 0.5;
@@ -19,10 +20,12 @@ const LINES: [f64; 2] = [236.0, 155.0];
 const PACKED_STATE: f64 = 0.93;
 /// Report, pictures and plots [bytes]; measured.
 const REPORT: f64 = 0.8e6;
-/// Memory for pictures, each for light and for dark screens, plots and the report of any case [bytes]; measured.
+/// Memory for pictures, each for light and for dark screens, plots and the report of any case [bytes];
+/// measured.
 const PICTURES: f64 = 31e6;
-/// Largest number of records of the sums over a rim; when there are more, every second one is dropped. The ends of a window are
-/// then known to about a hundredth of the run (chosen: memory and checkpoints stay small however long the run).
+/// Largest number of records of the sums over a rim; when there are more, every second one is dropped. The
+/// ends of a window are then known to about a hundredth of the run (chosen: memory and checkpoints stay small
+/// however long the run).
 pub const MOST_RIM_RECORDS: usize = 256;
 /// Memory to write a checkpoint, over that of the fields: it is written in small blocks.
 const CHECKPOINT: f64 = 0.1;
@@ -65,7 +68,8 @@ fn samples(case: &Case, steps: f64) -> f64 {
     (case.duration / case.output.history_interval).ceil().min(steps)
 }
 
-/// Memory of the sums over the rims of all bodies in the course of a run [bytes]; `bins` is the number of their bins.
+/// Memory of the sums over the rims of all bodies in the course of a run [bytes]; `bins` is the number of
+/// their bins.
 #[must_use]
 pub fn rim_memory(case: &Case, steps: f64, bins: f64) -> f64 {
     samples(case, steps).min(MOST_RIM_RECORDS as f64) * bins * size_of::<RimSums>() as f64
@@ -78,8 +82,8 @@ fn width(case: &Case) -> f64 {
     }
 }
 
-/// Peak memory for writing [bytes]: for a checkpoint, or for pictures and report at the end. A field file is written in blocks
-/// and takes less.
+/// Peak memory for writing [bytes]: for a checkpoint, or for pictures and report at the end. A field file is
+/// written in blocks and takes less.
 #[must_use]
 pub fn memory(case: &Case, steps: f64, fields: f64) -> f64 {
     let lines = samples(case, steps);

@@ -7,7 +7,8 @@ use mechanics::Pose;
 /// Points of the surface along the longest side of a body, at which the overlap is looked for.
 const POINTS_ALONG: f64 = 24.0;
 
-/// Depth by which the surface of either body lies inside the other [m], at points of both surfaces; 0 for bodies that do not overlap.
+/// Depth by which the surface of either body lies inside the other [m], at points of both surfaces; 0 for
+/// bodies that do not overlap.
 pub fn depth(one: (&dyn Shape, &Pose), other: (&dyn Shape, &Pose)) -> f64 {
     let ((a, b), (c, d)) = (corners(one), corners(other));
     if a.cmpge(d).any() || c.cmpge(b).any() {

@@ -25,8 +25,8 @@ pub fn overridden(text: &str, source_name: &str, overrides: &[String]) -> Result
     Ok(document.to_string())
 }
 
-/// The text of a case that reads other files: the keys that lead to each, and the file. A text in which that cannot be written stays
-/// as it is.
+/// The text of a case that reads other files: the keys that lead to each, and the file. A text in which that
+/// cannot be written stays as it is.
 pub fn with_files(text: &str, files: &[(Vec<String>, String)]) -> String {
     let Ok(mut document) = text.parse::<DocumentMut>() else { return text.to_owned() };
     for (keys, file) in files {

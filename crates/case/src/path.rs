@@ -55,8 +55,8 @@ pub(super) fn range(body: &Body, time: f64) -> [DVec3; 2] {
     [0, 1].map(|side| DVec3::from_array(each.map(|ends| ends[side])))
 }
 
-/// Displacement of a body by a time [m], as far as it is prescribed: the larger of that forwards and that backwards, of a body that
-/// goes both ways.
+/// Displacement of a body by a time [m], as far as it is prescribed: the larger of that forwards and that
+/// backwards, of a body that goes both ways.
 pub(super) fn displacement(body: &Body, time: f64) -> DVec3 {
     let [low, high] = range(body, time);
     DVec3::select((-low).cmpgt(high), low, high)

@@ -11,7 +11,8 @@ use input::quantity::{ANGLE, LENGTH};
 use input::typed::Section;
 use serde::Serialize;
 
-/// How far the surface of the ground lies above or below `ground.surface`; level where it has neither map nor furrows.
+/// How far the surface of the ground lies above or below `ground.surface`; level where it has neither map nor
+/// furrows.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Relief {
     /// Heights from a file.
@@ -31,7 +32,8 @@ pub struct Furrows {
     pub depth: f64,
     /// Angle from x to the furrows [rad].
     pub direction: f64,
-    /// Distance of a crest from x = y = 0, across the furrows towards +x, or towards +y of furrows along x [m].
+    /// Distance of a crest from x = y = 0, across the furrows towards +x, or towards +y of furrows along x
+    /// [m].
     pub offset: f64,
     /// Whether their section is a triangle instead of a cosine.
     pub is_triangular: bool,

@@ -1,5 +1,5 @@
-//! What a case means: every default filled in, every number in SI units. It is plain data: [`super::validate`] says whether it
-//! can be simulated.
+//! What a case means: every default filled in, every number in SI units. It is plain data:
+//! [`super::validate`] says whether it can be simulated.
 
 pub use super::joint::{GROUND, Joint, JointKind};
 pub use super::measured::{Factors, Measured, Plate, Plough};
@@ -82,14 +82,15 @@ pub struct Case {
 }
 
 impl Case {
-    /// The stage over which averages are taken, by number: the last one in which a body is towed, or else the last one.
+    /// The stage over which averages are taken, by number: the last one in which a body is towed, or else the
+    /// last one.
     #[must_use]
     pub fn steady_stage(&self) -> Option<usize> {
         stage::steady(&self.stages)
     }
 
-    /// The case as it stands in the stage over which averages are taken, for closed forms: its motions, from the depth to which bodies
-    /// have been pressed by then.
+    /// The case as it stands in the stage over which averages are taken, for closed forms: its motions, from
+    /// the depth to which bodies have been pressed by then.
     ///
     /// # Errors
     /// In words, where the depth of a body follows only from the run.
@@ -194,7 +195,8 @@ pub enum Ground {
         /// Height of the surface [m].
         surface: f64,
     },
-    /// Soil only in a box (a column that will collapse, a bank in front of a wall), or in the round column inside it.
+    /// Soil only in a box (a column that will collapse, a bank in front of a wall), or in the round column
+    /// inside it.
     Column {
         /// Low corner [m].
         low: DVec3,
@@ -237,11 +239,13 @@ pub struct Domain {
     pub high: DVec3,
     /// Walls by axis x, y, z: at the low end and at the high end.
     pub walls: [[Wall; 2]; 3],
-    /// Whether y = 0 is a plane of symmetry and only y ≥ 0 is modelled. Forces are reported for the whole body.
+    /// Whether y = 0 is a plane of symmetry and only y ≥ 0 is modelled. Forces are reported for the whole
+    /// body.
     pub symmetric: bool,
     /// Whether x = 0 is a plane of symmetry and only x ≥ 0 is modelled.
     pub symmetric_x: bool,
-    /// Whether the case is plane strain: a slab one cell thick in y. Bodies, forces and weights are those of a width of
+    /// Whether the case is plane strain: a slab one cell thick in y. Bodies, forces and weights are those of
+    /// a width of
     /// [`PLANE_STRAIN_WIDTH`], whatever the thickness of the slab.
     pub plane_strain: bool,
 }
@@ -265,7 +269,8 @@ impl Domain {
         if self.plane_strain { PLANE_STRAIN_WIDTH } else { own }
     }
 
-    /// Portion of the width of each body that is modelled: in plane strain that of the slab, which may be more than 1, otherwise 1.
+    /// Portion of the width of each body that is modelled: in plane strain that of the slab, which may be
+    /// more than 1, otherwise 1.
     #[must_use]
     pub fn modelled_width(&self) -> f64 {
         if self.plane_strain { (self.high.y - self.low.y) / PLANE_STRAIN_WIDTH } else { 1.0 }
@@ -285,7 +290,8 @@ pub struct Grid {
     pub fine_high: DVec3,
     /// Ratio of a cell's width to its inner neighbour's outside the fine zone (1 = uniform).
     pub growth: f64,
-    /// The body that the grid follows, if it does not stand still; the box and the faces are then those at the start.
+    /// The body that the grid follows, if it does not stand still; the box and the faces are then those at
+    /// the start.
     pub follow: Option<Follow>,
     /// Face positions along x, y, z that follow from the above [m].
     pub faces: [Vec<f64>; 3],

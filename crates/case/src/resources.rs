@@ -7,7 +7,8 @@ use std::path::Path;
 /// Fraction of the free memory or disk space above which there is a warning.
 const NEARLY_ALL: f64 = 0.8;
 
-/// Warnings where this machine may not have enough memory for a case, or not enough disk space for its results.
+/// Warnings where this machine may not have enough memory for a case, or not enough disk space for its
+/// results.
 #[must_use]
 pub fn warnings(cost: &Cost, folder: &Path) -> Vec<String> {
     let memory = memory_left().filter(|free| cost.memory_bytes > NEARLY_ALL * free.bytes).map(|free| {

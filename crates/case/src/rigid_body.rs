@@ -6,7 +6,8 @@ use glam::{DMat3, DQuat, DVec3};
 use mechanics::Motion;
 use serde::Serialize;
 
-/// Width of a body in plane strain [m]: its weight, load, mass and drive, forces on it and energies are those per metre of width.
+/// Width of a body in plane strain [m]: its weight, load, mass and drive, forces on it and energies are those
+/// per metre of width.
 pub const PLANE_STRAIN_WIDTH: f64 = 1.0;
 
 /// A rigid body.
@@ -26,8 +27,8 @@ pub struct Body {
     pub axle_inertia: f64,
     /// Coefficient of friction μ of its surface against the soil; infinite for a rough (no-slip) one.
     pub friction: f64,
-    /// Adhesion factor α: the largest frictional traction over the undrained shear strength s_u, whatever the pressure; infinite for
-    /// no such limit.
+    /// Adhesion factor α: the largest frictional traction over the undrained shear strength s_u, whatever the
+    /// pressure; infinite for no such limit.
     pub adhesion_factor: f64,
     /// Motion along x (tow), y (lateral), z (heave).
     pub translation: [Motion; 3],
@@ -51,7 +52,8 @@ pub struct Staged {
     pub motions: [Motion; 6],
     /// Least and largest displacement along x, y and z that is prescribed [m].
     pub bounds: [[f64; 2]; 3],
-    /// Whether it is known before the run how deep it is in that stage: not where a force ends the stage that presses it.
+    /// Whether it is known before the run how deep it is in that stage: not where a force ends the stage that
+    /// presses it.
     pub depth_is_known: bool,
 }
 
@@ -102,7 +104,8 @@ pub(super) fn pitched(shape: &Shape, pitch: f64) -> Box<dyn Solid> {
     if pitch == 0.0 || solid.is_revolved() { solid } else { Box::new(Rotated::new(solid, pitch)) }
 }
 
-/// How a body moves that joints guide, for estimates of its path: what its carrier prescribes, free where the joint leaves it free.
+/// How a body moves that joints guide, for estimates of its path: what its carrier prescribes, free where the
+/// joint leaves it free.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Guide {
     /// Along x, y, z.
@@ -123,8 +126,9 @@ impl Guide {
     };
 }
 
-/// Attitude of a body: it is rotated by `pitch` about its axle, y, then by `tilt` about x, then by `yaw` about z. Positive angles
-/// follow the right-hand rule: pitch tips the top forwards, tilt lifts the left end of the axle, yaw turns the front to the left.
+/// Attitude of a body: it is rotated by `pitch` about its axle, y, then by `tilt` about x, then by `yaw`
+/// about z. Positive angles follow the right-hand rule: pitch tips the top forwards, tilt lifts the left end
+/// of the axle, yaw turns the front to the left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Attitude {
     /// Rotation about z [rad].
@@ -156,7 +160,8 @@ impl Attitude {
 /// Keys of the motions of a body, in the order of [`Body::motions`].
 pub const MOTIONS: [&str; 6] = ["forward", "lateral", "heave", "yaw_motion", "tilt_motion", "spin"];
 
-/// Whether planes forbid a motion, by its number in [`MOTIONS`]: a plane of symmetry or of strain across y, one of symmetry across x.
+/// Whether planes forbid a motion, by its number in [`MOTIONS`]: a plane of symmetry or of strain across y,
+/// one of symmetry across x.
 pub(super) fn planes_forbid(across_y: bool, across_x: bool, motion: usize) -> bool {
     across_y && [1, 3, 4].contains(&motion) || across_x && [0, 3, 5].contains(&motion)
 }
@@ -188,8 +193,8 @@ impl Body {
         self.main_shape().has_surface()
     }
 
-    /// Least length that its shape is given along its own y [m], such as the thickness of a dished disc; infinite without one, or where
-    /// it has several parts.
+    /// Least length that its shape is given along its own y [m], such as the thickness of a dished disc;
+    /// infinite without one, or where it has several parts.
     #[must_use]
     pub fn thickness(&self) -> f64 {
         let sizes = if self.parts.is_empty() { self.shape.sizes() } else { Vec::new() };
@@ -207,7 +212,8 @@ impl Body {
             .and_then(|shape| shape.rolling_diameter())
     }
 
-    /// Diameter in which it rolls along the tow [m]; `None` for a body that cannot roll or whose axle is not level across it.
+    /// Diameter in which it rolls along the tow [m]; `None` for a body that cannot roll or whose axle is not
+    /// level across it.
     #[must_use]
     pub fn rolling_diameter(&self) -> Option<f64> {
         self.wheel_diameter().filter(|_| self.attitude.axle_is_across())
@@ -297,7 +303,8 @@ impl Body {
         self.parts.iter().map(|part| part.mass).fold(self.mass, |sum, mass| sum + mass)
     }
 
-    /// Low and high corner, from the reference point, of the box along x, y, z that encloses it at the start [m].
+    /// Low and high corner, from the reference point, of the box along x, y, z that encloses it at the start
+    /// [m].
     #[must_use]
     pub fn bounds(&self) -> (DVec3, DVec3) {
         let solid = self.solid();
@@ -335,8 +342,8 @@ impl Body {
         }
     }
 
-    /// Force that presses the body into the ground once it is released [N]: its weight normal to the surface (less buoyancy) and the
-    /// load on its heave, downwards; `None` for a body that does not heave freely.
+    /// Force that presses the body into the ground once it is released [N]: its weight normal to the surface
+    /// (less buoyancy) and the load on its heave, downwards; `None` for a body that does not heave freely.
     #[must_use]
     pub fn pressing_force(&self, weight: f64) -> Option<f64> {
         match self.own_guide().translation[2] {

@@ -1,4 +1,5 @@
-//! Checks the tree of a case against the tables of keys, and fills in their defaults. Nothing is interpreted here.
+//! Checks the tree of a case against the tables of keys, and fills in their defaults. Nothing is interpreted
+//! here.
 
 use super::form;
 use super::format;

@@ -41,7 +41,8 @@ impl Slope {
         -self.down().z
     }
 
-    /// Tangent of its steepest angle: shear over normal stress on planes parallel to the surface of soil at rest.
+    /// Tangent of its steepest angle: shear over normal stress on planes parallel to the surface of soil at
+    /// rest.
     #[must_use]
     pub fn tangent(&self) -> f64 {
         let down = self.down();

@@ -19,8 +19,8 @@ pub(super) struct ThinPlace {
     pub(super) wall: Option<(f64, String)>,
 }
 
-/// The thinnest places of a body and its parts with fewer than so many cells across: by its own measures, and of a shape from a file by rays
-/// through it, below the height to which soil may heap up.
+/// The thinnest places of a body and its parts with fewer than so many cells across: by its own measures, and
+/// of a shape from a file by rays through it, below the height to which soil may heap up.
 pub(super) fn thin_places(case: &Case, body: &Body, fewer_than: f64) -> Vec<ThinPlace> {
     let frame = DMat3::from_quat(body.attitude.of_axle());
     let pitch = |angle: f64| DMat3::from_rotation_y(angle);
@@ -67,7 +67,8 @@ fn turning(body: &Body, cell: DVec3) -> DVec3 {
     }
 }
 
-/// Height of the places of a body at the start [m] below which soil may touch them on its path; infinite where the path is not known.
+/// Height of the places of a body at the start [m] below which soil may touch them on its path; infinite
+/// where the path is not known.
 fn highest_in_soil(case: &Case, body: &Body) -> f64 {
     let turns = body.steers() || is_moving(body.spin());
     if turns || body.is_connected() || body.guided().translation[2].is_free() {

@@ -68,7 +68,8 @@ pub fn told_of_stage(case: &Case, number: usize) -> Vec<ToldMotion> {
     stage.changes.iter().map(one).collect()
 }
 
-/// How long a motion of a body lasts at most [s] that is in force before the stage of this number begins: until a stage changes it.
+/// How long a motion of a body lasts at most [s] that is in force before the stage of this number begins:
+/// until a stage changes it.
 pub(super) fn lasts(case: &Case, body: usize, motion: usize, before: usize) -> f64 {
     if case.stages.is_empty() {
         return case.duration;

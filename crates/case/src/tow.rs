@@ -22,9 +22,9 @@ impl Default for TowDirection {
 }
 
 impl TowDirection {
-    /// The direction in which a body is towed: that of its prescribed level motion in the stage over which averages are taken. Without
-    /// one that of the loads on its level motions, or the way in which it is driven to roll; of a body that others move, theirs.
-    /// Along x where none of these says it.
+    /// The direction in which a body is towed: that of its prescribed level motion in the stage over which
+    /// averages are taken. Without one that of the loads on its level motions, or the way in which it is
+    /// driven to roll; of a body that others move, theirs. Along x where none of these says it.
     #[must_use]
     pub fn of(case: &Case, body: &Body) -> Self {
         let is_dragged = || body.guided().translation[..2].iter().any(Motion::is_free);
@@ -69,7 +69,8 @@ impl TowDirection {
         self.rotated(v, 1.0)
     }
 
-    /// Rotated about z by the angle of the tow from x, or by that against it. A tow along an axis changes no digit.
+    /// Rotated about z by the angle of the tow from x, or by that against it. A tow along an axis changes no
+    /// digit.
     fn rotated(self, v: DVec3, sign: f64) -> DVec3 {
         let [cos, sin] = [self.0[0], sign * self.0[1]];
         if sin == 0.0 {
@@ -145,8 +146,8 @@ fn speed(motion: &Motion, duration: f64) -> f64 {
 /// What a body and the cells next to it measure along its tow, across it and upwards [m].
 #[derive(Clone, Copy, Debug)]
 pub struct Measures {
-    /// Extent of the body along its own axes: of what rolls along the level axis in which it does, of any other along that which lies
-    /// next to the tow first.
+    /// Extent of the body along its own axes: of what rolls along the level axis in which it does, of any
+    /// other along that which lies next to the tow first.
     pub extent: DVec3,
     /// Thickness of the body across the tow: of a dished disc less than its extent.
     pub thickness: f64,
@@ -174,8 +175,8 @@ impl Measures {
     }
 }
 
-/// A shape and its yaw [rad]; of a shape that looks the same with its edges along x and y exchanged, which is turned by quarters, that
-/// shape without a yaw.
+/// A shape and its yaw [rad]; of a shape that looks the same with its edges along x and y exchanged, which is
+/// turned by quarters, that shape without a yaw.
 #[must_use]
 pub fn squared(shape: &Shape, yaw: f64) -> (Shape, f64) {
     let quarters = yaw / std::f64::consts::FRAC_PI_2;

@@ -1,4 +1,5 @@
-//! Numbers with a standard deviation: `"35 ± 2 deg"`. The case holds the mean; the standard deviations are returned separately.
+//! Numbers with a standard deviation: `"35 ± 2 deg"`. The case holds the mean; the standard deviations are
+//! returned separately.
 
 use super::keys::{self, Kind};
 use input::problem::Problems;

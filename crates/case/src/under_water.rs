@@ -1,4 +1,5 @@
-//! A case under water: weights of its bodies, the drag of the water, and whether water can follow as the soil changes its volume.
+//! A case under water: weights of its bodies, the drag of the water, and whether water can follow as the soil
+//! changes its volume.
 
 use super::resolved::{Body, Case};
 use super::tow::TowDirection;
@@ -14,8 +15,9 @@ impl Case {
         self.water.and_then(|water| water.volume_strain).or_else(|| self.soil.volume_strain())
     }
 
-    /// Drainage number per speed [s/m]: N_s/v = (γ_w/γ′) |ε|/k, the speed of the shearing over that at which water can follow. `None`
-    /// without water, without a permeability, and for soil without friction or weight.
+    /// Drainage number per speed [s/m]: N_s/v = (γ_w/γ′) |ε|/k, the speed of the shearing over that at which
+    /// water can follow. `None` without water, without a permeability, and for soil without friction or
+    /// weight.
     #[must_use]
     pub fn drainage_per_speed(&self) -> Option<f64> {
         let water = self.water?;
@@ -84,7 +86,8 @@ fn fastest(motion: &Motion, duration: f64) -> f64 {
     }
 }
 
-/// Area of a body with its parts at the start, projected along a direction [m²]; one part does not hide another.
+/// Area of a body with its parts at the start, projected along a direction [m²]; one part does not hide
+/// another.
 fn frontal_area(body: &Body, direction: DVec3) -> f64 {
     let frame = body.attitude.of_axle().inverse();
     let of = |mesh: Mesh, direction: DVec3| {

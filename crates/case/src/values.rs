@@ -1,4 +1,5 @@
-//! From a value of the tree to a value of the kind that its key requires, in SI units; or what is wrong with it.
+//! From a value of the tree to a value of the kind that its key requires, in SI units; or what is wrong with
+//! it.
 
 use super::format;
 use super::keys::words::{DENSITIES, ORIGINS, WALLS};

@@ -23,7 +23,8 @@ pub struct Water {
     pub grain_density: f64,
     /// Permeability of the soil k [m/s].
     pub permeability: Option<f64>,
-    /// Volume strain ε of the soil as it fails, positive where it dilates; `None` for that which follows from its law.
+    /// Volume strain ε of the soil as it fails, positive where it dilates; `None` for that which follows from
+    /// its law.
     pub volume_strain: Option<f64>,
     /// Whether the pore pressure is computed; otherwise the soil is drained.
     pub pore_pressure: bool,
@@ -117,8 +118,9 @@ impl Water {
         }
     }
 
-    /// Largest drainage number up to which results for drained soil are good, and up to which they are doubtful: beyond, pore pressures
-    /// rule the forces. In closed form with suction a free disc sinks some 4 % less at 0.5 and 28 % less at 5.
+    /// Largest drainage number up to which results for drained soil are good, and up to which they are
+    /// doubtful: beyond, pore pressures rule the forces. In closed form with suction a free disc sinks some 4
+    /// % less at 0.5 and 28 % less at 5.
     pub const DRAINED: [f64; 2] = [0.5, 5.0];
 
     /// Weight per mass of solids in water [m/s²]: g (1 − ρ_w/ρ_s).
@@ -127,7 +129,8 @@ impl Water {
         gravity * (1.0 - self.density / self.grain_density)
     }
 
-    /// Mass of the water that a solid displaces [kg], in plane strain that of its width there, and the centre of its volume [m].
+    /// Mass of the water that a solid displaces [kg], in plane strain that of its width there, and the centre
+    /// of its volume [m].
     #[must_use]
     pub(crate) fn displaced_by(&self, solid: &dyn Solid, plane_strain: bool) -> (f64, DVec3) {
         if !solid.has_surface() {
@@ -137,7 +140,8 @@ impl Water {
         (self.density * of_width(solid, plane_strain) * properties.volume, properties.centroid)
     }
 
-    /// Mass of the water that a body with its parts displaces [kg], and the centre of its volume from the reference point [m].
+    /// Mass of the water that a body with its parts displaces [kg], and the centre of its volume from the
+    /// reference point [m].
     #[must_use]
     pub(crate) fn displaced(&self, body: &Body, plane_strain: bool) -> (f64, DVec3) {
         let parts = body.parts.iter().map(|part| {

@@ -11,8 +11,8 @@ fn measured(arguments: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// Loops that are no longer vectorised, or a stage that has become several times slower than the others, show in
-/// ratios within one run, on any machine and at any load.
+/// Loops that are no longer vectorised, or a stage that has become several times slower than the others, show
+/// in ratios within one run, on any machine and at any load.
 #[test]
 fn the_stages_keep_their_proportions() {
     let m = measured(&["--warm-up", "200", "--steps", "400", "--threads", "2"]);

@@ -1,4 +1,5 @@
-//! No case file, however broken, may run or cause a panic: each is refused with line and cure, exit code 2. Through the binary.
+//! No case file, however broken, may run or cause a panic: each is refused with line and cure, exit code 2.
+//! Through the binary.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use assert_cmd::Command;
@@ -24,7 +25,8 @@ fn complaint(arguments: &[&str]) -> String {
     text
 }
 
-/// Replaces `old` by `new` in `case`, and expects a message about the line of `new` that contains all of `words`.
+/// Replaces `old` by `new` in `case`, and expects a message about the line of `new` that contains all of
+/// `words`.
 #[track_caller]
 fn refused(case: &str, old: &str, new: &str, words: &[&str]) {
     assert!(case.contains(old), "the case has no `{old}`");

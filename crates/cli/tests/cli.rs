@@ -171,7 +171,8 @@ fn a_fast_tow_is_warned_of_by_what_inertia_adds() {
     let fast = reply(&[&held[..], &["body.disc.forward={ speed = '0.5 m/s' }"]].concat());
     assert!(fast.contains("v²/(g z) = 0.42 at z = 0.060 m") && fast.contains("some 46 %"), "{fast}");
     assert!(!reply(&[&held[..], &["body.disc.forward={ speed = '0.1 m/s' }"]].concat()).contains("Froude"));
-    // Free to sink under 40 N it carries them at any speed: 10 % of them is 4 N = 2 ρ v² z t, at 1.1 m/s and z = 20 mm.
+    // Free to sink under 40 N it carries them at any speed: 10 % of them is 4 N = 2 ρ v² z t, at 1.1 m/s and
+    // z = 20 mm.
     assert!(!reply(&["--set", "body.disc.forward={ speed = '1 m/s' }"]).contains("Froude"));
     assert!(reply(&["--set", "body.disc.forward={ speed = '1.2 m/s' }"]).contains("Froude"));
 }

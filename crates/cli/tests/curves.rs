@@ -1,4 +1,5 @@
-//! `coulter compare` and `coulter calibrate` through the binary: what they write, and that what is wrong is refused with its place.
+//! `coulter compare` and `coulter calibrate` through the binary: what they write, and that what is wrong is
+//! refused with its place.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use assert_cmd::Command;

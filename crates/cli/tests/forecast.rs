@@ -305,7 +305,8 @@ fn bodies_that_are_pressed_down_have_a_forecast() {
     assert!(carried["recommendation"].as_str().unwrap().contains("does not sink"));
 }
 
-/// Undrained clay: exact at the surface of a strip; discs and plates with Skempton's factors; other bodies are refused.
+/// Undrained clay: exact at the surface of a strip; discs and plates with Skempton's factors; other bodies
+/// are refused.
 #[test]
 fn undrained_clay_has_a_forecast() {
     let strip = forecast_of(&shipped("strip_footing.toml"), &["--set", "body.footing.heave.speed=-1e-6 m/s"]);

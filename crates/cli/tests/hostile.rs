@@ -1,4 +1,5 @@
-//! Hostile input and output, through the binary: each is answered immediately, with a clear message and the right exit code.
+//! Hostile input and output, through the binary: each is answered immediately, with a clear message and the
+//! right exit code.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 

@@ -1,4 +1,5 @@
-//! `coulter sweep` through the binary: studies that are killed, run by several engines, and of which some cases have no results.
+//! `coulter sweep` through the binary: studies that are killed, run by several engines, and of which some
+//! cases have no results.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use std::collections::BTreeMap;

@@ -26,7 +26,8 @@ pub struct TooManyBlocks {
     pub layers: [usize; 2],
 }
 
-/// The block of the grid of a valid case that a process has: number and number of all. The whole grid for one of one.
+/// The block of the grid of a valid case that a process has: number and number of all. The whole grid for one
+/// of one.
 ///
 /// # Errors
 /// When the grid has too few layers of cells for so many blocks.
@@ -75,8 +76,9 @@ impl Balance {
         self.seconds += seconds;
     }
 
-    /// How the grid is to be cut from now on, if otherwise than now; all blocks must ask at the same steps. By the time that the
-    /// blocks have taken, so that slow processors get less, and the cost of rows of cells within each.
+    /// How the grid is to be cut from now on, if otherwise than now; all blocks must ask at the same steps.
+    /// By the time that the blocks have taken, so that slow processors get less, and the cost of rows of
+    /// cells within each.
     pub(crate) fn decide(
         &mut self,
         grid: &Grid,
@@ -100,7 +102,8 @@ impl Balance {
     }
 }
 
-/// Cost of every row of the domain from what the blocks have gathered, y fastest, and the time of the slowest [s].
+/// Cost of every row of the domain from what the blocks have gathered, y fastest, and the time of the slowest
+/// [s].
 fn joined(grid: &Grid, mut all: &[f64]) -> (Vec<f64>, f64) {
     let [_, rows, planes] = grid.domain.each_ref().map(Range::len);
     let (mut cost, mut longest) = (vec![0.0; rows * planes], 0.0_f64);

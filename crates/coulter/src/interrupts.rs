@@ -10,7 +10,8 @@ pub struct Interrupts {
     pub stop: Arc<AtomicUsize>,
     /// Whether a checkpoint is requested.
     pub checkpoint: Arc<AtomicBool>,
-    /// Called at every sample, when the tables and fields of the folder are up to it; the run waits meanwhile.
+    /// Called at every sample, when the tables and fields of the folder are up to it; the run waits
+    /// meanwhile.
     pub at_sample: Option<fn()>,
 }
 

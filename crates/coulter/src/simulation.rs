@@ -53,8 +53,8 @@ pub enum Stop {
     BrokenDown(Breakdown),
 }
 
-/// Whoever follows a run: writes it to files, shows it, stops it. It sees the simulation as it is (case, model, state,
-/// history) and cannot change it: a run takes the same course whoever observes it.
+/// Whoever follows a run: writes it to files, shows it, stops it. It sees the simulation as it is (case,
+/// model, state, history) and cannot change it: a run takes the same course whoever observes it.
 ///
 /// An observer of runs in either precision implements this for every `R`.
 pub trait Observer<R: Precision = f64> {
@@ -116,8 +116,8 @@ impl<R: Precision> Simulation<R> {
         Ok(Self::new(case))
     }
 
-    /// A run from the start, of a valid case: one that was read, or in which [`case::validate`] finds no problem. For any
-    /// other there is [`Simulation::checked`].
+    /// A run from the start, of a valid case: one that was read, or in which [`case::validate`] finds no
+    /// problem. For any other there is [`Simulation::checked`].
     ///
     /// # Panics
     /// May panic if the case is not valid.
@@ -126,8 +126,8 @@ impl<R: Precision> Simulation<R> {
         Self::of_model(case, model(case, R::LANES))
     }
 
-    /// A run from the start of a model that no case file can state (see [`case::model::model`]): that of a case with a
-    /// change by hand. The case says what samples and results need beyond the model.
+    /// A run from the start of a model that no case file can state (see [`case::model::model`]): that of a
+    /// case with a change by hand. The case says what samples and results need beyond the model.
     #[must_use]
     pub fn of_model(case: &Case, model: Model) -> Self {
         let mut state = initial::at_rest_on(&model, &model.ground);
@@ -137,7 +137,8 @@ impl<R: Precision> Simulation<R> {
         Self::with_state(case, model, state)
     }
 
-    /// A run from the start with soil of another shape than the case's ground: its volume fraction in every cell.
+    /// A run from the start with soil of another shape than the case's ground: its volume fraction in every
+    /// cell.
     #[must_use]
     pub fn filled(case: &Case, fraction: impl FnOnce(&Grid) -> Vec<R>) -> Self {
         let model = model(case, R::LANES);
@@ -145,8 +146,8 @@ impl<R: Precision> Simulation<R> {
         Self::with_state(case, model, state)
     }
 
-    /// The block of a grid that a process has in a run from the start of a valid case, in which each process has one. Every block
-    /// has the whole history, bodies and energy balance; soil and nodes are its own.
+    /// The block of a grid that a process has in a run from the start of a valid case, in which each process
+    /// has one. Every block has the whole history, bodies and energy balance; soil and nodes are its own.
     ///
     /// # Errors
     /// When the grid has too few layers of cells for so many blocks.
@@ -227,7 +228,8 @@ impl<R: Precision> Simulation<R> {
         simulation
     }
 
-    /// Sets soil and bodies in motion before the first step; the energy balance counts their energy as external work.
+    /// Sets soil and bodies in motion before the first step; the energy balance counts their energy as
+    /// external work.
     pub fn set_in_motion(&mut self, push: impl FnOnce(&Model, &mut State<R>)) {
         push(&self.model, &mut self.state);
         self.state.energy_balance.kinetic_start =
@@ -319,9 +321,9 @@ impl<R: Precision> Simulation<R> {
 
     /// Runs the case to its end, or until an observer stops it.
     ///
-    /// Observers are told of a sample, and asked between two steps, in their order; the first that does not want to go on
-    /// ends the run, and those after it are not asked any more. All are told of the end. A run that was stopped goes on
-    /// where it stood when this is called again.
+    /// Observers are told of a sample, and asked between two steps, in their order; the first that does not
+    /// want to go on ends the run, and those after it are not asked any more. All are told of the end. A run
+    /// that was stopped goes on where it stood when this is called again.
     ///
     /// # Errors
     /// That of the first observer that fails: the run ends between two steps, and no observer is told.
@@ -404,8 +406,8 @@ impl<R: Precision> Simulation<R> {
         self.recut(&cut);
     }
 
-    /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All blocks must do so at the same
-    /// step, which is not the first.
+    /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All
+    /// blocks must do so at the same step, which is not the first.
     ///
     /// # Panics
     /// If there are not as many blocks as before.
@@ -437,8 +439,8 @@ impl<R: Precision> Simulation<R> {
         probes::sample((case, model, tows), state, workspace.halo(), last_sample, history);
     }
 
-    /// Keeps the surface of the soil that is about to leave a grid that travels; after every step, so that its lines lie as close
-    /// as the cells however far samples are apart.
+    /// Keeps the surface of the soil that is about to leave a grid that travels; after every step, so that
+    /// its lines lie as close as the cells however far samples are apart.
     fn record_ground_left(&mut self) {
         let Self { model, state, workspace, history, .. } = self;
         probes::record_ground_left(model, state, workspace.halo(), &mut history.ground_left);
@@ -463,8 +465,8 @@ impl<R: Precision> Simulation<R> {
         self.workspace.memory() + self.state.memory()
     }
 
-    /// Cell-steps per second over the cells with soil, measured over some steps; `None` if not one step can be
-    /// taken. The state is of no use afterwards.
+    /// Cell-steps per second over the cells with soil, measured over some steps; `None` if not one step can
+    /// be taken. The state is of no use afterwards.
     pub fn speed(&mut self, while_: std::time::Duration) -> Option<f64> {
         let domain = PlacedDomain::of(&self.model.grid, self.state.grid_position);
         let filled = domain.filled_cells(&self.state);

@@ -1,4 +1,5 @@
-//! Bodies with a yaw, a tilt and a pitch: forces that turn and are mirrored with the body, motions that steer, and what is refused.
+//! Bodies with a yaw, a tilt and a pitch: forces that turn and are mirrored with the body, motions that
+//! steer, and what is refused.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::{Case, parse};
@@ -30,8 +31,8 @@ fn run(overrides: &[&str], samples: u32) -> Vec<BodySample> {
     simulation.history.bodies[0].clone()
 }
 
-/// Largest difference of forces, and of moments over 0.1 m, relative to the vertical force; `sign` is that of the lateral force and of
-/// the moments about x and z.
+/// Largest difference of forces, and of moments over 0.1 m, relative to the vertical force; `sign` is that of
+/// the lateral force and of the moments about x and z.
 fn difference(a: &[BodySample], b: &[BodySample], sign: f64) -> f64 {
     assert!(a.len() == b.len() && a.len() > 3, "{} and {} samples", a.len(), b.len());
     let one = |(a, b): (&BodySample, &BodySample)| {
@@ -142,7 +143,8 @@ fn the_forecast_follows_the_attitude() {
     for (axis, sign) in [(0, -1.0), (1, 1.0), (2, -1.0)] {
         close(left.1[axis], sign * right.1[axis]);
     }
-    // Towed backwards, the disc turned the other way is its mirror image about x = 0, whose left is its right.
+    // Towed backwards, the disc turned the other way is its mirror image about x = 0, whose left is its
+    // right.
     let back = ["body.disc.forward.speed=-0.3 m/s", "body.disc.yaw=-30 deg", "body.disc.tilt=5 deg"];
     let back = forecast(&back);
     close(left.0, -back.0);

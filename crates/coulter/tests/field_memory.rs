@@ -31,7 +31,8 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Cells of the towed disc on cells of this size, and the memory that its field files take to be written [bytes].
+/// Cells of the towed disc on cells of this size, and the memory that its field files take to be written
+/// [bytes].
 fn writing(cell: &str) -> (usize, usize) {
     let text = include_str!("../../../cases/light_disc.toml");
     let case = case::parse(text, "case.toml", &[format!("grid.cell={cell}")]).unwrap();

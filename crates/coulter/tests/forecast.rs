@@ -6,7 +6,8 @@ use coulter::forecast::{Effort, intervals, outlook};
 
 const DISC: &str = include_str!("../../../cases/light_disc.toml");
 
-/// The interval of every model contains the value shown, whatever the friction angle, the load, the axle and the dilation.
+/// The interval of every model contains the value shown, whatever the friction angle, the load, the axle and
+/// the dilation.
 #[test]
 fn intervals_contain_the_value_shown() {
     let loads: [&[&str]; 3] = [

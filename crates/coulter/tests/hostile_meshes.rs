@@ -1,5 +1,5 @@
-//! No file of a surface, however broken, may cause a panic or take up memory: it is a body, repaired with a report where need be, or it
-//! is refused with what is wrong.
+//! No file of a surface, however broken, may cause a panic or take up memory: it is a body, repaired with a
+//! report where need be, or it is refused with what is wrong.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 #[path = "hostile_meshes/files.rs"]

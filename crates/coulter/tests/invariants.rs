@@ -1,5 +1,5 @@
-//! The invariants of ARCHITECTURE.md that can be checked: who may do what, and that neither threads nor a restart
-//! change a bit.
+//! The invariants of ARCHITECTURE.md that can be checked: who may do what, and that neither threads nor a
+//! restart change a bit.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::{self, Case};
@@ -188,7 +188,8 @@ const CHANGES: [&str; 9] = [
 ];
 const LOOKS: [&str; 6] = ["File::open", "fs::read", "read_dir", "fs::metadata", "canonicalize", "is_symlink"];
 
-/// Folders of results and studies come from others: what is in them is reached through `Inside` alone, which follows no link.
+/// Folders of results and studies come from others: what is in them is reached through `Inside` alone, which
+/// follows no link.
 #[test]
 fn one_place_opens_what_is_in_a_folder() {
     let here = |path: &str| path.starts_with("files/inside/");

@@ -1,4 +1,5 @@
-//! Bodies whose surface is in a file: the same forces as those of the shape itself, and cases that stay with their files.
+//! Bodies whose surface is in a file: the same forces as those of the shape itself, and cases that stay with
+//! their files.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 #[path = "hostile_meshes/files.rs"]
@@ -54,8 +55,8 @@ fn a_disc_from_a_file_is_towed_like_a_disc() {
     };
     let (exact, steps) = impulses(DISC, 12);
     assert!(steps > 100, "{steps}");
-    // The contact points lie elsewhere than on the disc, which on cells this coarse makes a difference of some per cent over so few
-    // steps; over four times as many it is below 2 % with 96 segments, too.
+    // The contact points lie elsewhere than on the disc, which on cells this coarse makes a difference of
+    // some per cent over so few steps; over four times as many it is below 2 % with 96 segments, too.
     for (segments, tolerance) in [(96, 0.06), (384, 0.02)] {
         let (meshed, _) = impulses(MESH, segments);
         let apart = [0, 1, 2].map(|n| (meshed[n] - exact[n]).abs() / exact[1].abs());

@@ -1,4 +1,5 @@
-//! Shapes of bodies: how they are read, described and placed, what is refused, and that solver and forecast take them.
+//! Shapes of bodies: how they are read, described and placed, what is refused, and that solver and forecast
+//! take them.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::model::model;
@@ -130,7 +131,8 @@ fn a_forecast_counts_the_sinkage_from_the_lowest_point() {
         outlook(&case).unwrap().best().unwrap().prediction.unwrap().drag
     };
     let ratio = drag("body.tool.sinkage=6 mm") / drag("body.tool.sinkage=60 mm");
-    // The traction grows with the depth, the surface too: 1 %, but for the width of the facets and the corner at the front.
+    // The traction grows with the depth, the surface too: 1 %, but for the width of the facets and the corner
+    // at the front.
     assert!((0.005..0.03).contains(&ratio), "{ratio}");
 }
 

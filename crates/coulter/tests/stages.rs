@@ -1,4 +1,5 @@
-//! Stages of a run, and motions that are displacements or tables: what they do, what ends them, and what is refused.
+//! Stages of a run, and motions that are displacements or tables: what they do, what ends them, and what is
+//! refused.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::{Case, parse};

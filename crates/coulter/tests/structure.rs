@@ -1,27 +1,33 @@
-//! The structure of the source of every crate: no circular dependencies, short functions, one public type per name.
+//! The structure of the source of every crate: no circular dependencies, short functions, one public type per
+//! name.
 //!
-//! **No circular dependencies.** The files and sub-folders of a folder must not depend on each other in a circle; a sub-folder
-//! counts as one node. A file depends on every file that defines an item it names: in a `use`, in a path, in the arguments of
-//! a macro. Names are resolved through `use` and `pub use` to the file that defines the item.
+//! **No circular dependencies.** The files and sub-folders of a folder must not depend on each other in a
+//! circle; a sub-folder counts as one node. A file depends on every file that defines an item it names: in a
+//! `use`, in a path, in the arguments of a macro. Names are resolved through `use` and `pub use` to the file
+//! that defines the item.
 //!
-//! A `mod.rs` is one of the files of its folder. Declaring children (`mod`) and re-exporting their items (`pub use`) is not a
-//! dependency, so the usual idiom, in which children use what `super` defines, is allowed. It is a circle if code of `mod.rs`
-//! itself also uses such a child: then move the shared definitions to a file of their own. Method calls and the expansion of
-//! macros are not followed. Test code (`#[cfg(test)]`) is exempt.
+//! A `mod.rs` is one of the files of its folder. Declaring children (`mod`) and re-exporting their items
+//! (`pub use`) is not a dependency, so the usual idiom, in which children use what `super` defines, is
+//! allowed. It is a circle if code of `mod.rs` itself also uses such a child: then move the shared
+//! definitions to a file of their own. Method calls and the expansion of macros are not followed. Test code
+//! (`#[cfg(test)]`) is exempt.
 //!
-//! **Short functions.** At most 60 lines from the signature to the closing brace, and at most 6 parameters besides `self`.
-//! Closures and test code are exempt.
+//! **Short functions.** At most 60 lines from the signature to the closing brace, and at most 6 parameters
+//! besides `self`. Closures and test code are exempt.
 //!
-//! **Named structs instead of tuples.** Parameters that take a tuple of unlike things apart, `(a, b): (A, B)`, hide how many a
-//! function has: [`TUPLES`] says how many a crate has at most.
+//! **Named structs instead of tuples.** Parameters that take a tuple of unlike things apart, `(a, b): (A,
+//! B)`, hide how many a function has: [`TUPLES`] says how many a crate has at most.
 //!
 //! **Crates of a size to be understood.** At most [`MAX_CRATE`] lines below `src`.
 //!
-//! **One public type per name.** Within a crate no two types that are `pub` or `pub(crate)` have the same name. A file that is
-//! included twice (`#[path]`) defines its types once, and the two files that include it count as one.
+//! **Comments within the width of the code.** rustfmt breaks code, and leaves comments as they are.
 //!
-//! **Whole packages.** What a crate includes in its program (`include_str!`) lies in its folder, if need be behind a link: a published
-//! package holds nothing else.
+//! **One public type per name.** Within a crate no two types that are `pub` or `pub(crate)` have the same
+//! name. A file that is included twice (`#[path]`) defines its types once, and the two files that include it
+//! count as one.
+//!
+//! **Whole packages.** What a crate includes in its program (`include_str!`) lies in its folder, if need be
+//! behind a link: a published package holds nothing else.
 //!
 //! The first lists below are the known violations. An entry that is no longer needed is an error, too.
 #![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
@@ -43,11 +49,13 @@ use modules::{Modules, Sources};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Dependencies that close a circle: crate, from, to (files or folders below `src`; `*` is everything that `from` uses).
+/// Dependencies that close a circle: crate, from, to (files or folders below `src`; `*` is everything that
+/// `from` uses).
 const CIRCLES: &[(&str, &str, &str)] = &[];
 /// Functions with too many lines or parameters: crate, file below `src`, name.
 const FUNCTIONS: &[(&str, &str, &str)] = &[];
-/// Parameters that take a tuple of unlike things apart, at most: crate, number. It may fall, and must not rise.
+/// Parameters that take a tuple of unlike things apart, at most: crate, number. It may fall, and must not
+/// rise.
 const TUPLES: &[(&str, usize)] = &[("case", 0), ("solver", 3), ("studies", 33)];
 /// Largest number of lines of a crate.
 const MAX_CRATE: usize = 16_000;
@@ -113,15 +121,32 @@ fn crates_are_small_enough_to_be_understood() {
     }
 }
 
+#[test]
+fn comments_are_within_the_width_of_the_code() {
+    let width = |text: &str| text.lines().find_map(|line| line.strip_prefix("max_width = ")?.parse().ok());
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let most: usize = width(&std::fs::read_to_string(root.join("rustfmt.toml")).unwrap()).unwrap();
+    let is_wide = |line: &str| line.trim_start().starts_with("//") && line.chars().count() > most;
+    let mut wide = Vec::new();
+    for file in source_files(&root.join("crates")) {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let lines = text.lines().enumerate().filter(|(_, line)| is_wide(line));
+        wide.extend(lines.map(|(n, _)| format!("{}:{}", file.display(), n + 1)));
+    }
+    assert!(wide.is_empty(), "more than {most} columns:\n{}", wide.join("\n"));
+}
+
+/// The source files in a folder and those below it.
+fn source_files(folder: &Path) -> Vec<PathBuf> {
+    let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let (folders, files): (Vec<_>, Vec<_>) = paths.partition(|path| path.is_dir());
+    let own = files.into_iter().filter(|file| file.extension().is_some_and(|ending| ending == "rs"));
+    own.chain(folders.iter().flat_map(|below| source_files(below))).collect()
+}
+
 /// Lines of the source files in a folder and those below it.
 fn lines(folder: &Path) -> usize {
-    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let each = entries.map(|path| match path.extension() {
-        _ if path.is_dir() => lines(&path),
-        Some(ending) if ending == "rs" => std::fs::read_to_string(&path).unwrap().lines().count(),
-        _ => 0,
-    });
-    each.sum()
+    source_files(folder).iter().map(|file| std::fs::read_to_string(file).unwrap().lines().count()).sum()
 }
 
 #[test]

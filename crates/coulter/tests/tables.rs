@@ -1,5 +1,5 @@
-//! The reader of tables: every dialect of one table reads to the same numbers, a fault is found in its line however lines end, and no bytes
-//! make it panic.
+//! The reader of tables: every dialect of one table reads to the same numbers, a fault is found in its line
+//! however lines end, and no bytes make it panic.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::table_file::TableFile;
@@ -160,7 +160,8 @@ fn what_instruments_write_is_read() {
     assert_eq!(table.columns()[1].unit.as_deref(), Some("kN/m²"));
     assert!(table.remark().unwrap().contains("line 1 is not UTF-8"), "{:?}", table.remark());
     assert_eq!(columns[1], [3.3, 7.2]);
-    // Names over two lines, as cells of a spreadsheet have them; marks between thousands; a quoted decimal comma.
+    // Names over two lines, as cells of a spreadsheet have them; marks between thousands; a quoted decimal
+    // comma.
     let (table, columns) =
         read("\"depth\n[mm]\";\"force\n[N]\"\n1;1 234,5\n2;\"2.5e3\"\n".replace("2.5e3", "2500").as_bytes());
     assert_eq!(table.columns()[0].title, "depth [mm]");

@@ -212,7 +212,8 @@ fn figures_of_nearly_nothing_have_a_floor() {
     assert!(check(&setting, &nothing, "hourglass energy")[0].value.unwrap() < 1e-3);
 }
 
-/// In single precision the elastic energy of the soil at rest changes by its last digits, which is no error of the balance.
+/// In single precision the elastic energy of the soil at rest changes by its last digits, which is no error
+/// of the balance.
 #[test]
 fn rounding_of_the_elastic_energy_is_not_unexplained() {
     let closure = |precision: &str, part: f64| {
@@ -428,7 +429,8 @@ fn too_few_samples_are_doubted_of_a_pressed_body_as_of_a_towed_one() {
     assert_eq!(check(&Setting::of(&tow(&[])), &history(), "samples"), []);
 }
 
-/// The table of limits in the documentation is that of the program; with `COULTER_UPDATE=1` it is written instead.
+/// The table of limits in the documentation is that of the program; with `COULTER_UPDATE=1` it is written
+/// instead.
 #[test]
 fn the_documented_limits_are_up_to_date() {
     const BEGIN: &str = "<!-- limits:begin (written by a test with COULTER_UPDATE=1) -->\n";

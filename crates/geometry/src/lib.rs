@@ -1,4 +1,5 @@
-//! Shapes of rigid bodies: signed distance, mass properties, contact points, triangle mesh; and the relief of the ground.
+//! Shapes of rigid bodies: signed distance, mass properties, contact points, triangle mesh; and the relief of
+//! the ground.
 //!
 //! A shape is given in the body frame: origin at the body's reference point (for a disc the centre of the
 //! axle), the axle along `y`. Lengths in metres.

@@ -1,4 +1,5 @@
-//! Solids of revolution and prisms: distances, contact points, mass properties and meshes agree with each other.
+//! Solids of revolution and prisms: distances, contact points, mass properties and meshes agree with each
+//! other.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use geometry::{
@@ -76,7 +77,8 @@ fn points_cover_the_surface() {
         let points = shape.surface_points(spacing, DVec3::ZERO);
         let covered: f64 = points.iter().map(|p| p.area).sum();
         assert!((covered / area(&shape.mesh()) - 1.0).abs() < 2e-3, "{name}: {covered}");
-        // With an inset what has no points is shared out among the rest of each face, but for arcs that it takes away.
+        // With an inset what has no points is shared out among the rest of each face, but for arcs that it
+        // takes away.
         let inset = shape.surface_points(spacing, DVec3::splat(0.001));
         let represented: f64 = inset.iter().map(|p| p.represents).sum();
         assert!((represented / covered - 1.0).abs() < 5e-3, "{name}: {represented} of {covered}");
@@ -166,7 +168,8 @@ fn meshes_are_closed() {
 fn mass_properties_are_those_of_the_mesh() {
     for (name, shape) in shapes() {
         let (exact, mesh) = (shape.mass_properties(), MassProperties::of_mesh(&shape.mesh()));
-        // Chords of 3.75° lie within a circle: 0.07 % of its area, twice that of its second moment, and more of a thin dish.
+        // Chords of 3.75° lie within a circle: 0.07 % of its area, twice that of its second moment, and more
+        // of a thin dish.
         let tolerance = if name.starts_with("dished") { 6e-3 } else { 1e-3 };
         assert!((mesh.volume / exact.volume - 1.0).abs() < tolerance, "{name}: {exact:?} {mesh:?}");
         assert!(mesh.centroid.distance(exact.centroid) < 1e-4, "{name}: {exact:?} {mesh:?}");
@@ -200,7 +203,8 @@ fn volumes_are_those_of_the_textbook() {
     let tip = 0.04 / 30_f64.to_radians().tan();
     close(volume(pointed(Axis::Z)), PI * (0.04 * 0.04 * tip / 3.0 + 0.03 * 0.03 * (0.2 - tip)));
     close(volume(Box::new(Extruded::new(wedge(0.2, 0.1), 0.08))), 0.5 * 0.2 * 0.1 * 0.08);
-    // Each grouser adds its rectangle down to the chord of its foot, less the segment of the circle above that.
+    // Each grouser adds its rectangle down to the chord of its foot, less the segment of the circle above
+    // that.
     let half_foot = 0.04_f64.asin();
     let segment = 0.01 * (half_foot - half_foot.sin() * half_foot.cos());
     let grouser = 0.008 * (0.115 - 0.1 * half_foot.cos()) - segment;

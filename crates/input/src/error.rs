@@ -1,4 +1,5 @@
-//! The error for a case that cannot be run: everything that is wrong with it, with its place in the text that was typed.
+//! The error for a case that cannot be run: everything that is wrong with it, with its place in the text that
+//! was typed.
 
 use super::problem::Problem;
 use crate::printed::{masked, plain};
@@ -23,7 +24,8 @@ pub struct LocatedProblem {
 }
 
 impl LocatedProblem {
-    /// A problem at a range of bytes of a text; the range is moved inside the text and onto character boundaries.
+    /// A problem at a range of bytes of a text; the range is moved inside the text and onto character
+    /// boundaries.
     pub(super) fn in_text(problem: Problem, source: &Arc<NamedSource<String>>, span: Range<usize>) -> Self {
         let text = source.inner();
         let span = within(text, span);

@@ -1,5 +1,5 @@
-//! What a user wrote: text and its tree, quantities with units, keys, and the files that a case names (tables, meshes, height
-//! maps), with problems at their places.
+//! What a user wrote: text and its tree, quantities with units, keys, and the files that a case names
+//! (tables, meshes, height maps), with problems at their places.
 
 mod data_file;
 pub mod error;

@@ -106,7 +106,8 @@ fn expected(motion: usize) -> String {
 /// A column that was chosen: its number, and how many SI units its unit is.
 type Chosen = (usize, f64, Meaning);
 
-/// Reads a table for a motion, by its number in [`case::resolved::MOTIONS`]; its times count from its first line if that is the start.
+/// Reads a table for a motion, by its number in [`case::resolved::MOTIONS`]; its times count from its first
+/// line if that is the start.
 ///
 /// # Errors
 /// [`FileProblem`] says what is wrong with the file, and in which line.

@@ -53,7 +53,8 @@ impl Places {
         self.entries.retain(|known, _| !is_below(known));
     }
 
-    /// Where the entry at a path stands; of a key that is not given, its section; otherwise the start of the file.
+    /// Where the entry at a path stands; of a key that is not given, its section; otherwise the start of the
+    /// file.
     pub(super) fn place(&self, path: &str, aim: Aim) -> Place {
         if let Some(entry) = self.entries.get(path) {
             return match aim {

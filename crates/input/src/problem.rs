@@ -1,4 +1,5 @@
-//! What is wrong with a case, at which key, and what to do about it. Where the key stands in a text is known to `places`.
+//! What is wrong with a case, at which key, and what to do about it. Where the key stands in a text is known
+//! to `places`.
 
 use std::collections::HashSet;
 use std::fmt;
@@ -6,8 +7,8 @@ use std::fmt;
 /// One thing that is wrong with a case.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Problem {
-    /// Path of the key, such as `soil.cohesion`, `body.disc.forward.ramp` or `ground.velocity[1]`; of a section, such as
-    /// `soil`, where it concerns several keys; empty where it concerns the case as a whole.
+    /// Path of the key, such as `soil.cohesion`, `body.disc.forward.ramp` or `ground.velocity[1]`; of a
+    /// section, such as `soil`, where it concerns several keys; empty where it concerns the case as a whole.
     pub path: String,
     /// What is wrong.
     pub message: String,
@@ -54,7 +55,8 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// For a case that is not simulated: what only the resolution of the grid and the cost of a run forbid is left out.
+    /// For a case that is not simulated: what only the resolution of the grid and the cost of a run forbid is
+    /// left out.
     pub fn without_resolution() -> Self {
         Self { ignores_resolution: true, ..Self::default() }
     }

@@ -1,7 +1,7 @@
 //! Text with a unit → a number in SI units. The only module that uses units other than SI.
 //!
-//! Grammar: a number, then symbols joined by `*`, `·`, a space or `/` (which divides by the one symbol that follows),
-//! each with an optional whole exponent: `16 kN/m^3`, `35 deg`, `2 N*m`, `9.81 m/s²`.
+//! Grammar: a number, then symbols joined by `*`, `·`, a space or `/` (which divides by the one symbol that
+//! follows), each with an optional whole exponent: `16 kN/m^3`, `35 deg`, `2 N*m`, `9.81 m/s²`.
 
 use super::units;
 pub use super::units::{Dimension, QuantityError};
@@ -104,7 +104,8 @@ pub fn parse(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
     Err(QuantityError::WrongDimension { text, found, needed: measure.name, meant })
 }
 
-/// Without a suggestion that leads astray: a unit that stands alone is like one of the same measure, or like none.
+/// Without a suggestion that leads astray: a unit that stands alone is like one of the same measure, or like
+/// none.
 fn sensible(error: QuantityError, text: &str, measure: &Measure) -> QuantityError {
     match error {
         QuantityError::UnknownUnit { unit, .. } if split_number(text.trim()).1.trim() == unit => {
@@ -115,8 +116,8 @@ fn sensible(error: QuantityError, text: &str, measure: &Measure) -> QuantityErro
     }
 }
 
-/// How many SI units of a measure a unit is; what is wrong with it in words. A mass in place of a force, as scales and old gauges show
-/// it, is named.
+/// How many SI units of a measure a unit is; what is wrong with it in words. A mass in place of a force, as
+/// scales and old gauges show it, is named.
 ///
 /// # Errors
 /// In words, without a cure.
@@ -157,8 +158,8 @@ pub fn parse_any(text: &str) -> Result<(f64, Dimension), QuantityError> {
     if value.is_finite() { Ok((value, dimension)) } else { Err(QuantityError::NotFinite { text: owned() }) }
 }
 
-/// Reads one of Bekker's moduli, whose unit contains the sinkage exponent n: `102 kN/m^(n+1)`, or `102 kPa/m^(n-1)`.
-/// `offset` is i in N/m^(n+i); the value is in that unit, for any n.
+/// Reads one of Bekker's moduli, whose unit contains the sinkage exponent n: `102 kN/m^(n+1)`, or `102
+/// kPa/m^(n-1)`. `offset` is i in N/m^(n+i); the value is in that unit, for any n.
 ///
 /// # Errors
 /// [`QuantityError`] says what is wrong.
@@ -226,8 +227,8 @@ pub fn plain(number: f64) -> String {
     format!("{number:.6e}").parse::<f64>().unwrap_or(number).to_string()
 }
 
-/// A number as people read it: up to four significant digits, without zeros that say nothing, `32` and not `32.0000`; a dash where it
-/// is not finite.
+/// A number as people read it: up to four significant digits, without zeros that say nothing, `32` and not
+/// `32.0000`; a dash where it is not finite.
 #[must_use]
 pub fn short(number: f64) -> String {
     if !number.is_finite() {

@@ -132,7 +132,8 @@ pub fn split_override(text: &str) -> Option<(Vec<&str>, &str)> {
     is_key.then_some((keys, value.trim()))
 }
 
-/// Sets the entry named by `keys` from the one at `depth` on; tables on the way stand where the override does.
+/// Sets the entry named by `keys` from the one at `depth` on; tables on the way stand where the override
+/// does.
 fn insert(
     table: &mut Vec<Entry>,
     places: &mut Places,

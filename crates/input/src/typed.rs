@@ -1,4 +1,5 @@
-//! The content of a case as typed: sections and values in SI units, with the defaults of the keys that are left out.
+//! The content of a case as typed: sections and values in SI units, with the defaults of the keys that are
+//! left out.
 
 use super::tree::{Value, join};
 use std::collections::BTreeMap;

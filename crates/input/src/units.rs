@@ -2,7 +2,8 @@
 
 use super::names::nearest;
 
-/// Exponents of length, mass, time and angle. The angle is a dimension of its own, so that a bare number is not one.
+/// Exponents of length, mass, time and angle. The angle is a dimension of its own, so that a bare number is
+/// not one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension(pub [i32; 4]);
 
@@ -85,8 +86,9 @@ const fn unit(symbol: &'static str, factor: f64, dimension: [i32; 4], prefixes: 
     Unit { symbol, factor, dimension, prefixes }
 }
 
-/// Standard gravity [m/s²] by definition (3rd General Conference on Weights and Measures, 1901), and the avoirdupois pound [kg]
-/// (international agreement of 1959): what units of force and pressure of both kinds are made of.
+/// Standard gravity [m/s²] by definition (3rd General Conference on Weights and Measures, 1901), and the
+/// avoirdupois pound [kg] (international agreement of 1959): what units of force and pressure of both kinds
+/// are made of.
 const STANDARD_GRAVITY: f64 = 9.80665;
 const POUND: f64 = 0.453_592_37;
 const POUND_FORCE: f64 = POUND * STANDARD_GRAVITY;

@@ -1,5 +1,5 @@
-//! The heavy symmetric top (Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, §5.7), with its tip on a ball joint and
-//! with its reference point fixed.
+//! The heavy symmetric top (Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, §5.7), with its tip
+//! on a ball joint and with its reference point fixed.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -17,7 +17,8 @@ const ARM: f64 = 0.15;
 const ALONG: f64 = 0.01;
 const ACROSS: f64 = 0.006;
 
-/// The two descriptions: on a ball joint, with its reference point at the centre of mass; and at its fixed reference point.
+/// The two descriptions: on a ball joint, with its reference point at the centre of mass; and at its fixed
+/// reference point.
 fn tops(tilt: f64, angular: DVec3) -> [(Mechanism, MechanismState); 2] {
     let rotation = DQuat::from_rotation_x(tilt);
     let axis = rotation * DVec3::Z;
@@ -42,8 +43,9 @@ fn figure_axis(state: &MechanismState) -> DVec3 {
     state.bodies[0].pose.rotation * DVec3::Z
 }
 
-/// Released with spin alone, the top nutates. Energy and vertical angular momentum are conserved exactly; the axial one swings with
-/// the potential energy by ¼ Δt² ω₃ Δ(m g z), a term of second order that does not grow.
+/// Released with spin alone, the top nutates. Energy and vertical angular momentum are conserved exactly; the
+/// axial one swings with the potential energy by ¼ Δt² ω₃ Δ(m g z), a term of second order that does not
+/// grow.
 #[test]
 fn energy_and_both_angular_momenta_are_conserved() {
     let tilt = 0.7;
@@ -73,7 +75,8 @@ fn energy_and_both_angular_momenta_are_conserved() {
     }
 }
 
-/// Steady precession: I₃ ω₃ φ̇ − I₁ φ̇² cos θ = m g s, with I₁ about the tip (Goldstein, Poole & Safko 2002, §5.7).
+/// Steady precession: I₃ ω₃ φ̇ − I₁ φ̇² cos θ = m g s, with I₁ about the tip (Goldstein, Poole & Safko 2002,
+/// §5.7).
 #[test]
 fn steady_precession() {
     let (tilt, precession): (f64, f64) = (0.7, 4.0);

@@ -38,7 +38,8 @@ fn unexplained(mechanism: &Mechanism, state: &mut MechanismState, dt: f64, durat
     error.0 / turnover
 }
 
-/// An asymmetric body with its centre of mass off the reference point under a force: the balance of energy closes to round-off.
+/// An asymmetric body with its centre of mass off the reference point under a force: the balance of energy
+/// closes to round-off.
 #[test]
 fn a_free_body_under_a_force() {
     let body =
@@ -174,7 +175,8 @@ fn a_closed_loop_keeps_together() {
     below("energy over 10 J", error.0, 1e-10);
 }
 
-/// Velocities at the start that violate the joints change as in an inelastic impact: linear momentum in flight stays.
+/// Velocities at the start that violate the joints change as in an inelastic impact: linear momentum in
+/// flight stays.
 #[test]
 fn velocities_at_the_start_are_made_to_fit() {
     let inertia = Inertia::sphere(2.0, 0.3);

@@ -23,7 +23,8 @@ fn rod() -> Inertia {
     Inertia::cuboid(MASS, DVec3::new(0.05, 0.03, LENGTH))
 }
 
-/// Rods that hang from hinges along y, each turned by an angle from the vertical; reference points in the middle.
+/// Rods that hang from hinges along y, each turned by an angle from the vertical; reference points in the
+/// middle.
 fn chain(angles: &[f64]) -> (Mechanism, MechanismState, Vec<[Option<usize>; 2]>) {
     let mut hinge = DVec3::new(0.3, -0.2, 1.0);
     let (mut starts, mut joints, mut ends) =
@@ -60,8 +61,8 @@ fn angle(state: &MechanismState, rod: usize) -> f64 {
     (-down.x).atan2(-down.z)
 }
 
-/// A compound pendulum released at an angle: T = 4 √(J/(m g s)) K(sin(θ/2)) (Landau & Lifshitz 1976, §11), with the moment J
-/// about the hinge and the distance s from it to the centre of mass.
+/// A compound pendulum released at an angle: T = 4 √(J/(m g s)) K(sin(θ/2)) (Landau & Lifshitz 1976, §11),
+/// with the moment J about the hinge and the distance s from it to the centre of mass.
 #[test]
 fn compound_pendulum() {
     for start in [0.1, 1.5, 2.8] {
@@ -119,8 +120,8 @@ fn a_hinge_and_a_single_free_rotation_are_the_same() {
     below("energy", error.0, 1e-12);
 }
 
-/// A double pendulum of two equal rods: frequencies of its normal modes, ω² = (3 ∓ 6/√7) g/L for thin rods; here from the
-/// quadratic of its mass and stiffness matrices (Landau & Lifshitz 1976, §23).
+/// A double pendulum of two equal rods: frequencies of its normal modes, ω² = (3 ∓ 6/√7) g/L for thin rods;
+/// here from the quadratic of its mass and stiffness matrices (Landau & Lifshitz 1976, §23).
 #[test]
 fn double_pendulum_small() {
     let (inertia, s) = (across() + MASS * 0.25 * LENGTH * LENGTH, 0.5 * LENGTH);

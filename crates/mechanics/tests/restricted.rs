@@ -71,8 +71,8 @@ fn prescribed_bodies_need_no_mass() {
     assert_eq!(impulse, DVec3::new(-1.0, -2.0, -3.0));
 }
 
-/// A rotor with an eccentric centre spun at a prescribed rate: bearing force m e Ω² inwards plus the weight, torque of the weight,
-/// and the work of the drive, to second order; the balance of energy to round-off.
+/// A rotor with an eccentric centre spun at a prescribed rate: bearing force m e Ω² inwards plus the weight,
+/// torque of the weight, and the work of the drive, to second order; the balance of energy to round-off.
 #[test]
 fn an_eccentric_rotor_loads_its_bearing() {
     let (mass, eccentricity, rate) = (3.0, 0.1, 20.0);
@@ -119,8 +119,8 @@ fn a_free_rotor_throws_its_bearing() {
     below("energy balance", closure.0, 1e-12);
 }
 
-/// A disc on a gimbal, tilt fixed: yaw and spin are free. The inclination of the axle, energy and vertical angular momentum stay, also
-/// for an asymmetric body.
+/// A disc on a gimbal, tilt fixed: yaw and spin are free. The inclination of the axle, energy and vertical
+/// angular momentum stay, also for an asymmetric body.
 #[test]
 fn tilt_stays_fixed_while_yaw_and_spin_are_free() {
     for moments in [DVec3::new(0.6, 1.0, 0.6), DVec3::new(0.5, 1.0, 0.8)] {
@@ -155,8 +155,8 @@ fn tilt_stays_fixed_while_yaw_and_spin_are_free() {
     }
 }
 
-/// A torque about the vertical turns a spinning disc with a fixed horizontal axle: ψ̈ = Q/I_d, and the support of the tilt bears the
-/// gyroscopic moment I_p ω ψ̇.
+/// A torque about the vertical turns a spinning disc with a fixed horizontal axle: ψ̈ = Q/I_d, and the
+/// support of the tilt bears the gyroscopic moment I_p ω ψ̇.
 #[test]
 fn the_support_of_the_tilt_bears_the_gyroscopic_moment() {
     let (across, along, spin, torque) = (0.6, 1.0, 30.0, 0.25);
@@ -181,8 +181,8 @@ fn the_support_of_the_tilt_bears_the_gyroscopic_moment() {
     below("gyroscopic moment", moment.0, 1e-3);
 }
 
-/// A lopsided wheel that is steered at a prescribed, smoothly ramped rate while it spins and heaves freely under a load: the energy that
-/// loads, gravity, contact and drives supply is what the wheel has.
+/// A lopsided wheel that is steered at a prescribed, smoothly ramped rate while it spins and heaves freely
+/// under a load: the energy that loads, gravity, contact and drives supply is what the wheel has.
 #[test]
 fn a_steered_wheel_balances_its_energy() {
     let moments = DVec3::new(0.5, 1.0, 0.8);

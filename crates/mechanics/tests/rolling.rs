@@ -1,7 +1,8 @@
-//! A sphere on an inclined plane, with frictional contact at one point through the interface that contact uses.
+//! A sphere on an inclined plane, with frictional contact at one point through the interface that contact
+//! uses.
 //!
-//! It rolls at a = 5/7 g sin θ while tan θ < 7/2 μ, and otherwise slides at a = g (sin θ − μ cos θ), its spin growing at
-//! 5/2 μ g cos θ / r (Routh, Dynamics of a System of Rigid Bodies, 1905).
+//! It rolls at a = 5/7 g sin θ while tan θ < 7/2 μ, and otherwise slides at a = g (sin θ − μ cos θ), its spin
+//! growing at 5/2 μ g cos θ / r (Routh, Dynamics of a System of Rigid Bodies, 1905).
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;

@@ -1,4 +1,5 @@
-//! Undrained clay: Tresca's law where nothing changes its strength, and the strength that remoulding and rate leave.
+//! Undrained clay: Tresca's law where nothing changes its strength, and the strength that remoulding and rate
+//! leave.
 
 use physics::clay::{Clay, ClayParameters};
 use physics::elastic::Elastic;

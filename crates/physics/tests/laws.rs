@@ -143,13 +143,14 @@ fn a_second_return_changes_nothing() {
 #[test]
 fn plastic_work_is_never_negative() {
     for (s, law) in everything() {
-        // A smooth potential lies outside the hexagon's sides: with a dilation angle near φ the flow would create energy.
+        // A smooth potential lies outside the hexagon's sides: with a dilation angle near φ the flow would
+        // create energy.
         if matches!(law, Law::MenetreyWillam(law) if law.least_dissipation() < 0.0) {
             continue;
         }
         for far in stresses() {
-            // The smooth return follows the gradients along its path, not the final one: it is accurate to second order in the
-            // small steps of an explicit method. The closed form is exact for any step.
+            // The smooth return follows the gradients along its path, not the final one: it is accurate to
+            // second order in the small steps of an explicit method. The closed form is exact for any step.
             let on = law.return_map(far, &Point::default()).stress;
             let trial = match law {
                 Law::MohrCoulomb(_) | Law::VonMises(_) | Law::Sand(_) | Law::Clay(_) => far,
@@ -227,7 +228,8 @@ fn the_flow_is_normal_to_the_smooth_potential() {
             [usual, Eccentricity { deviatoric: 1.0, ..usual }, Eccentricity { meridional: 2.0, ..usual }]
         {
             let law = smooth(s, shape);
-            // A trial stress slightly outside the surface: the return follows the gradient of the potential there.
+            // A trial stress slightly outside the surface: the return follows the gradient of the potential
+            // there.
             for direction in [
                 [1.0, 0.2, -0.7, 0.3, -0.2, 0.1],
                 [0.2, 0.5, -0.3, 0.0, 0.4, 0.6],

@@ -213,7 +213,8 @@ fn strength_in_extension_and_plane_strain_follows_matsuoka_and_nakai() {
     let [_, _, extension] = law.invariants([-3.0, -3.0, -1.0, 0.0, 0.0, 0.0]);
     assert!((one - 1.0).abs() < 1e-12);
     assert!((extension * compression - 6.0 * sin / (3.0 + sin)).abs() < 1e-12);
-    // With the mean of the others as the middle stress: Matsuoka and Nakai's invariant, here in principal stresses.
+    // With the mean of the others as the middle stress: Matsuoka and Nakai's invariant, here in principal
+    // stresses.
     let exact = (9.0 - sin * sin) / (1.0 - sin * sin);
     let invariant = |angle: f64| {
         let s = angle.to_radians().sin();

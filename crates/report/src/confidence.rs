@@ -36,8 +36,8 @@ pub fn finished(dir: &Path, name: &str) -> Result<Option<(f64, Summary)>, Output
     }
 }
 
-/// Gives a summary the intervals that follow from variations. Those that count as examined, but whose run is broken, are told to
-/// be so.
+/// Gives a summary the intervals that follow from variations. Those that count as examined, but whose run is
+/// broken, are told to be so.
 pub(super) fn attach(
     dir: &Path,
     record: &RunRecord,

@@ -1,7 +1,7 @@
 //! What is made of results: charts, pictures, views, the page of a run, and the facade of its folder.
 //!
-//! [`Results`] owns the folder of a run and what writes into it. Nothing depends on the report but the mesh study, the
-//! intervals and the facade.
+//! [`Results`] owns the folder of a run and what writes into it. Nothing depends on the report but the mesh
+//! study, the intervals and the facade.
 
 mod confidence;
 mod meshes;

@@ -1,4 +1,5 @@
-//! The mesh study of a results folder: it lies on the case's finest mesh, and the runs on coarser ones in folders below it.
+//! The mesh study of a results folder: it lies on the case's finest mesh, and the runs on coarser ones in
+//! folders below it.
 //!
 //! Histories are read back from their files, so that a study that is made later is the same to the bit.
 
@@ -63,8 +64,8 @@ impl Ended {
     }
 }
 
-/// Gives the summary of a run that has come to its end the study of the meshes that its record names, if there are any and all
-/// of them have come to their ends.
+/// Gives the summary of a run that has come to its end the study of the meshes that its record names, if
+/// there are any and all of them have come to their ends.
 pub(super) fn attach(dir: &Path, record: &RunRecord, summary: &mut Summary) -> Result<(), OutputError> {
     summary.remove_mesh_study();
     if record.meshes.is_empty() || !record.statistics.outcome.is_end() {

@@ -1,6 +1,8 @@
-//! What every page has in common: run, sweep, comparison and calibration share one style sheet, one script and one head.
+//! What every page has in common: run, sweep, comparison and calibration share one style sheet, one script
+//! and one head.
 //!
-//! A page is one file that works without a network, without a server and, but for values under the pointer and zoom, without scripts.
+//! A page is one file that works without a network, without a server and, but for values under the pointer
+//! and zoom, without scripts.
 
 use input::printed::plain;
 use serde::Serialize;
@@ -12,8 +14,9 @@ const STYLE: &str = include_str!("../assets/style.css");
 /// Values under the pointer, zoom, unfolding on paper.
 const CHARTS: &str = include_str!("../assets/charts.js");
 
-/// Fills in a template, into which it can `include` `head.html` and `charts.js`, and what `more` names. Everything inserted is escaped
-/// unless the template marks it safe, and shows characters that would change the order of what is read; the filter `lowered` makes subscripts, `symbols` those of symbols alone.
+/// Fills in a template, into which it can `include` `head.html` and `charts.js`, and what `more` names.
+/// Everything inserted is escaped unless the template marks it safe, and shows characters that would change
+/// the order of what is read; the filter `lowered` makes subscripts, `symbols` those of symbols alone.
 ///
 /// # Errors
 /// What the template engine says; only a defect of the program can cause it.
@@ -50,8 +53,8 @@ pub fn lowered(text: &str) -> String {
     html
 }
 
-/// Text as HTML in which symbols have their indices lowered, F_H or φ_cv: a letter, and one or two after `_`. Names such as
-/// `towed_disc` stay.
+/// Text as HTML in which symbols have their indices lowered, F_H or φ_cv: a letter, and one or two after `_`.
+/// Names such as `towed_disc` stay.
 fn symbols(text: &str) -> String {
     let is_word = |c: &char| c.is_alphanumeric() || *c == '_';
     let mut html = String::new();

@@ -38,8 +38,8 @@ pub struct Results {
 }
 
 impl Results {
-    /// Creates the folder of a new run. An existing result is replaced only with `force`, and then only the files that a
-    /// run writes are removed; a folder with other files in it is never touched.
+    /// Creates the folder of a new run. An existing result is replaced only with `force`, and then only the
+    /// files that a run writes are removed; a folder with other files in it is never touched.
     ///
     /// # Errors
     /// When the folder holds something else or cannot be written.
@@ -60,7 +60,8 @@ impl Results {
         })
     }
 
-    /// Opens the folder of a run that is resumed from a checkpoint with the history so far: rewrites the history files.
+    /// Opens the folder of a run that is resumed from a checkpoint with the history so far: rewrites the
+    /// history files.
     ///
     /// # Errors
     /// When there is no result in the folder or it cannot be written.
@@ -87,7 +88,8 @@ impl Results {
         &self.dir
     }
 
-    /// Stores the case file with the results, as typed, and the files that it names: in the copy it names the copies.
+    /// Stores the case file with the results, as typed, and the files that it names: in the copy it names the
+    /// copies.
     ///
     /// # Errors
     /// When a file cannot be written, or is not that which the case was read from any more.
@@ -119,8 +121,8 @@ impl Results {
         self.record.write(&self.dir)
     }
 
-    /// Writes the summary, the pictures and the report at the end of a run, also of one that broke down or was stopped, as the
-    /// statistics say.
+    /// Writes the summary, the pictures and the report at the end of a run, also of one that broke down or
+    /// was stopped, as the statistics say.
     ///
     /// # Errors
     /// When a file cannot be written.
@@ -172,7 +174,8 @@ fn means(names: &[String], ruts: &[Rut]) -> BTreeMap<String, RutSection> {
     names.iter().zip(ruts).filter_map(|(name, rut)| Some((name.clone(), rut.mean?))).collect()
 }
 
-/// Copies the files of tables that motions follow; returns the keys that lead to each, and its copy, relative to the folder.
+/// Copies the files of tables that motions follow; returns the keys that lead to each, and its copy, relative
+/// to the folder.
 fn copy_tables(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, OutputError> {
     let mut copies = Vec::new();
     for MotionTable { keys, path } in &case.tables {
@@ -184,8 +187,8 @@ fn copy_tables(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, Ou
     Ok(copies)
 }
 
-/// Copies the files that bodies and soil bodies were read from; returns the keys that lead to each, and its copy, relative to the
-/// folder.
+/// Copies the files that bodies and soil bodies were read from; returns the keys that lead to each, and its
+/// copy, relative to the folder.
 fn copy_meshes(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, OutputError> {
     let mut copies = Vec::new();
     let bodies = case.bodies.iter().map(|body| ("body", &body.name, &body.shape));
@@ -209,7 +212,8 @@ fn copy_height_map(dir: &Path, case: &Case) -> Result<Option<(Vec<String>, Strin
 /// Section of a height map, and name of the copy of its file.
 const HEIGHT_MAP: &str = "height_map";
 
-/// Copies a file, whose content had this hash as the case was read, under this name into the folder of the bodies; returns its place.
+/// Copies a file, whose content had this hash as the case was read, under this name into the folder of the
+/// bodies; returns its place.
 fn copy_of(dir: &Path, from: &Path, (name, hash): (&str, &str)) -> Result<String, OutputError> {
     let extension = from.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
     let copy = format!("{BODIES}/{name}.{extension}");
@@ -222,7 +226,8 @@ fn copy_of(dir: &Path, from: &Path, (name, hash): (&str, &str)) -> Result<String
     Ok(copy)
 }
 
-/// Removes a whole result, runs on coarser meshes and of variations included; a folder with other files in it is never touched.
+/// Removes a whole result, runs on coarser meshes and of variations included; a folder with other files in it
+/// is never touched.
 pub fn clear_all(dir: &Path) -> Result<(), OutputError> {
     clear_beside(dir)?;
     clear(dir, true)
@@ -233,8 +238,8 @@ pub fn require_nothing(dir: &Path) -> Result<(), OutputError> {
     clear(dir, false)
 }
 
-/// Gives a run that has come to its end the study of these coarser meshes, in the summary, the report and the log, unless it has
-/// it already.
+/// Gives a run that has come to its end the study of these coarser meshes, in the summary, the report and the
+/// log, unless it has it already.
 ///
 /// # Errors
 /// When the folder holds no such result, or a file cannot be read or written.
@@ -255,8 +260,8 @@ pub fn add_mesh_study(dir: &Path, case: &Case, meshes: &[String]) -> Result<Summ
     Ok(summary)
 }
 
-/// Gives a run that has come to its end the intervals that follow from these variations, in the summary, the report and the log,
-/// unless it has them already. `confidence` says what was allowed and spent.
+/// Gives a run that has come to its end the intervals that follow from these variations, in the summary, the
+/// report and the log, unless it has them already. `confidence` says what was allowed and spent.
 ///
 /// # Errors
 /// When the folder holds no such result, or a file cannot be read or written.
@@ -286,8 +291,8 @@ pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
     rebuild_report_with(dir, &[], &[])
 }
 
-/// As [`rebuild_report`], with curves of measurements and other runs laid over its plots, and remarks on them. They are not kept in the
-/// folder.
+/// As [`rebuild_report`], with curves of measurements and other runs laid over its plots, and remarks on
+/// them. They are not kept in the folder.
 ///
 /// # Errors
 /// As [`rebuild_report`].

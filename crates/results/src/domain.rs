@@ -1,7 +1,7 @@
 //! The domain of a grid where it is: what everyone reads who shows a state or takes a sample of it.
 //!
-//! A grid may travel over the ground, and has ghost layers beyond its open faces. The layers here are those of the domain,
-//! counted from its low end, and positions are those of the ground.
+//! A grid may travel over the ground, and has ghost layers beyond its open faces. The layers here are those
+//! of the domain, counted from its low end, and positions are those of the ground.
 
 use glam::DVec3;
 use solver::grid::Grid;
@@ -104,7 +104,8 @@ impl<'a> PlacedDomain<'a> {
     }
 }
 
-/// Faces of a grid that has moved so far [m]. One that stands still keeps the bits of its faces, the sign of zero among them.
+/// Faces of a grid that has moved so far [m]. One that stands still keeps the bits of its faces, the sign of
+/// zero among them.
 fn placed(faces: &[f64], moved: f64) -> Vec<f64> {
     if moved == 0.0 { faces.to_vec() } else { faces.iter().map(|face| face + moved).collect() }
 }

@@ -3,10 +3,12 @@
 
 /// Version of results folders: of `run.json` and `summary.json`.
 pub const RESULTS: u32 = 2;
-/// Version of the documents in JSON: what `--json` prints, and what forecasts, comparisons and calibrations leave in their folders.
+/// Version of the documents in JSON: what `--json` prints, and what forecasts, comparisons and calibrations
+/// leave in their folders.
 pub const DOCUMENT: u32 = 1;
 
-/// Whether something of the version `found` can be read by a program that reads `known`; `what` it is, in the plural.
+/// Whether something of the version `found` can be read by a program that reads `known`; `what` it is, in the
+/// plural.
 ///
 /// # Errors
 /// What is wrong and what to do: `again` says it of an older version, or of none.

@@ -13,7 +13,8 @@ use solver::state::State;
 pub struct GroundColumn {
     /// Height z of the surface.
     pub z: f64,
-    /// Height by which the soil is lower than it would be at the density of its start; negative where it is looser.
+    /// Height by which the soil is lower than it would be at the density of its start; negative where it is
+    /// looser.
     pub compaction: f64,
     /// Height of the voids below the surface, less that of soil above it.
     pub void: f64,
@@ -26,10 +27,11 @@ pub struct GroundColumn {
 }
 
 impl GroundColumn {
-    /// Equivalent plastic strain above which soil counts as disturbed: sand has left its first state by then, clay has lost a part of its
-    /// strength (chosen).
+    /// Equivalent plastic strain above which soil counts as disturbed: sand has left its first state by then,
+    /// clay has lost a part of its strength (chosen).
     pub const DISTURBED: f64 = 0.1;
-    /// The same above which soil counts as mixed: layers have been sheared past each other by their own thickness (chosen).
+    /// The same above which soil counts as mixed: layers have been sheared past each other by their own
+    /// thickness (chosen).
     pub const MIXED: f64 = 1.0;
 
     /// How many numbers it is.
@@ -47,9 +49,9 @@ impl GroundColumn {
         Self { z, compaction, void, disturbed, mixed, disturbed_to }
     }
 
-    /// The soil in columns `(i, j)` of a domain, of these materials, each as dense at the start as at the height of the cell. Where
-    /// the grid is cut along z, what the blocks above have found is passed down, and only those at the bottom know the whole of
-    /// their columns; the others return none.
+    /// The soil in columns `(i, j)` of a domain, of these materials, each as dense at the start as at the
+    /// height of the cell. Where the grid is cut along z, what the blocks above have found is passed down,
+    /// and only those at the bottom know the whole of their columns; the others return none.
     pub(crate) fn of_all(
         domain: &PlacedDomain,
         state: &State<impl Precision>,
@@ -82,8 +84,8 @@ impl GroundColumn {
     }
 }
 
-/// Numbers of columns of cells after a block has gone down its own layers of them: what the blocks above have found is passed down to
-/// it first, and only those at the bottom know the whole of their columns.
+/// Numbers of columns of cells after a block has gone down its own layers of them: what the blocks above have
+/// found is passed down to it first, and only those at the bottom know the whole of their columns.
 pub(crate) fn downwards<const N: usize>(
     halo: &Halo,
     mut columns: Vec<[f64; N]>,
@@ -182,8 +184,8 @@ impl Column {
         }
     }
 
-    /// The surface lies in the uppermost cell that is at least half full: the soil of this and of the cell above it, heaped on the
-    /// floor of the former. Detached soil above and voids below do not count.
+    /// The surface lies in the uppermost cell that is at least half full: the soil of this and of the cell
+    /// above it, heaped on the floor of the former. Detached soil above and voids below do not count.
     fn find_surface(&mut self, domain: &PlacedDomain, k: usize, fraction: f64) {
         let fraction = fraction.clamp(0.0, 1.0);
         let height = fraction * domain.width(2, k);

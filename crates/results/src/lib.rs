@@ -1,4 +1,5 @@
-//! What a run gives: histories and their quantities, fields, trust, intervals, and the files of a results folder.
+//! What a run gives: histories and their quantities, fields, trust, intervals, and the files of a results
+//! folder.
 //!
 //! Each format has a folder of modules that states its contract.
 

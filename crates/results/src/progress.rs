@@ -124,7 +124,8 @@ pub fn tell(message: &str, quiet: bool) {
     }
 }
 
-/// Prints a line on standard error. Where that cannot be written (a closed pipe, a lost terminal) the run continues.
+/// Prints a line on standard error. Where that cannot be written (a closed pipe, a lost terminal) the run
+/// continues.
 fn print_line(line: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", plain(line));
 }

@@ -1,4 +1,5 @@
-//! A disc pushed into sand and towed: no soil remains inside it, none is lost, and its mirror image behaves alike.
+//! A disc pushed into sand and towed: no soil remains inside it, none is lost, and its mirror image behaves
+//! alike.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;

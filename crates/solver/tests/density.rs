@@ -32,7 +32,8 @@ fn a_column_of_sand_collapses_without_losing_volume() {
     assert!(most < 1e-3, "{most}");
 }
 
-/// The gap of a cell half full of soil of `density` times the usual one and with a `gap`, after a remap without a displacement.
+/// The gap of a cell half full of soil of `density` times the usual one and with a `gap`, after a remap
+/// without a displacement.
 fn remapped(density: f64, gap: f64) -> f64 {
     let mut model: Model = sand(std::array::from_fn(|_| uniform(0.0, 0.1, 10)));
     (model.gravity, model.soil_gravity) = (0.0, 0.0);

@@ -1,5 +1,6 @@
-//! Cells that are not cubes: a linear velocity field has no hourglass forces, waves keep their speed along every axis and are
-//! damped as in cubes of the same width along it, sand stays at rest, and a step of the longer length is stable.
+//! Cells that are not cubes: a linear velocity field has no hourglass forces, waves keep their speed along
+//! every axis and are damped as in cubes of the same width along it, sand stays at rest, and a step of the
+//! longer length is stable.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;

@@ -1,4 +1,5 @@
-//! The pressure of the pore water: resumed runs, threads, undrained and cavitating soil. Beside exact solutions: `coulter verify W1 W2`.
+//! The pressure of the pore water: resumed runs, threads, undrained and cavitating soil. Beside exact
+//! solutions: `coulter verify W1 W2`.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;

@@ -28,7 +28,8 @@ fn after(threads: usize) -> State {
     state
 }
 
-/// Four discs that roll through sand, two of them so close that they share cells, after some steps and remaps.
+/// Four discs that roll through sand, two of them so close that they share cells, after some steps and
+/// remaps.
 fn discs_after(threads: usize) -> State {
     let mut model = sand([uniform(-0.2, 0.24, 44), uniform(-0.16, 0.16, 32), uniform(-0.14, 0.06, 20)]);
     let moving =

@@ -1,4 +1,5 @@
-//! A grid that travels after a body, with undisturbed ground entering at one end and spent soil leaving at the other.
+//! A grid that travels after a body, with undisturbed ground entering at one end and spent soil leaving at
+//! the other.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -156,10 +157,11 @@ fn a_tow_in_a_travelling_grid_is_the_tow_in_a_long_box() {
     let mut long = sand([uniform(-0.2, 0.34, 27), uniform(-0.14, 0.14, 14), uniform(-0.12, 0.08, 10)]);
     long.method.remap_displacement = 0.05;
     long.bodies.push(towed(-0.01));
-    // In the box the block crosses cells; in the travelling grid it keeps its position in them, on which the force depends.
-    // A face just inside a cell leaves room for 1 % of soil on the other side.
+    // In the box the block crosses cells; in the travelling grid it keeps its position in them, on which the
+    // force depends. A face just inside a cell leaves room for 1 % of soil on the other side.
     const POSITIONS: [f64; 5] = [0.0, 0.01, 0.25, 0.5, 0.75];
-    // With the default, less in cells that yield, the means of so few cells differ by 2 % in drag and 20 % in the vertical force.
+    // With the default, less in cells that yield, the means of so few cells differ by 2 % in drag and 20 % in
+    // the vertical force.
     let mean = |model: &mut Model| {
         model.method.hourglass_yielding = 1.0;
         let cell = model.grid.finest();

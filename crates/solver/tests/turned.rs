@@ -1,5 +1,5 @@
-//! A set-up turned as a whole about z: body, motion and grid. Its forces turn with it to rounding: no axis is special, because the
-//! sweeps of the remap turn with the motion of the body.
+//! A set-up turned as a whole about z: body, motion and grid. Its forces turn with it to rounding: no axis is
+//! special, because the sweeps of the remap turn with the motion of the body.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -28,7 +28,8 @@ fn towed(shape: Box<dyn Shape>, quarters: u32, steps: usize) -> Vec<Sample> {
     let rotation = DQuat::from_rotation_z(FRAC_PI_2 * f64::from(quarters));
     let across: Vec<f64> = (-10..=10).map(|n| 0.02 * f64::from(n)).collect();
     let mut model = sand([across.clone(), across, (-6..=3).map(|n| 0.02 * f64::from(n)).collect()]);
-    // With the default, less in cells that yield, sand on so coarse cells amplifies rounding to 0.4 % of the mean force over 1200 steps.
+    // With the default, less in cells that yield, sand on so coarse cells amplifies rounding to 0.4 % of the
+    // mean force over 1200 steps.
     model.method.hourglass_yielding = 1.0;
     let height = shape.bounds().1.z - 0.015;
     let velocity = rotation * DVec3::new(0.3, 0.0, -0.15);

@@ -50,8 +50,9 @@ impl Figures {
         self.responses.extend(value.filter(|value| value.is_finite()).map(|value| (name, value)));
     }
 
-    /// Says what follows from drag, vertical force, slip and torque, where it is not said: pull, turn ratio, and, of a body that rolls
-    /// on a radius [m], its efficiency P v/(T ω), where the soil resists with the torque T and P is positive.
+    /// Says what follows from drag, vertical force, slip and torque, where it is not said: pull, turn ratio,
+    /// and, of a body that rolls on a radius [m], its efficiency P v/(T ω), where the soil resists with the
+    /// torque T and P is positive.
     pub(crate) fn say_traction(&mut self, radius: Option<f64>) {
         let pull = self.get("pull").or(self.get("drag").map(|drag| 0.0 - drag));
         let turn_ratio = self.get("slip").map(analytic::turn_ratio);
@@ -79,7 +80,8 @@ pub struct ResponseColumn {
     pub label: String,
 }
 
-/// The responses that are no quantities of a run, and of those that are, where they stand among them: name, unit, label.
+/// The responses that are no quantities of a run, and of those that are, where they stand among them: name,
+/// unit, label.
 const LISTED: [[&str; 3]; 20] = [
     ["drag", "", ""],
     ["vertical", "", ""],

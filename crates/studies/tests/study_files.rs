@@ -103,8 +103,8 @@ fn a_point_that_is_no_valid_case_is_listed_with_its_reason() {
     assert!(refused[0].contains("dilation"), "{refused:?}");
 }
 
-/// Replaces `old` by `new` and expects a message about the line of `new`, or about the heading of its section, that contains all of
-/// `words`.
+/// Replaces `old` by `new` and expects a message about the line of `new`, or about the heading of its
+/// section, that contains all of `words`.
 #[track_caller]
 fn refused(old: &str, new: &str, words: &[&str]) {
     assert!(STUDY.contains(old), "the study has no `{old}`");

@@ -98,8 +98,8 @@ fn rough_walls_and_plates_are_sokolovskiis() {
     }
 }
 
-/// Run-outs of the laws of Lube et al. (2005) and of Lajeunesse et al. (2005); where a law leaves a gap between its two
-/// parts, the first is extended up to the second.
+/// Run-outs of the laws of Lube et al. (2005) and of Lajeunesse et al. (2005); where a law leaves a gap
+/// between its two parts, the first is extended up to the second.
 #[test]
 fn columns_run_out_as_published() {
     for a in [0.5_f64, 1.0, 2.0, 3.0, 4.0] {
@@ -116,8 +116,9 @@ fn columns_run_out_as_published() {
     }
 }
 
-/// Final heights of the two laws over L₀. Lajeunesse's factor of a^⅓ is read from the line through the measured points in
-/// the figure (1.92 at a = 10, 2.78 at a = 30). Of the round columns those of Lube et al. (2004).
+/// Final heights of the two laws over L₀. Lajeunesse's factor of a^⅓ is read from the line through the
+/// measured points in the figure (1.92 at a = 10, 2.78 at a = 30). Of the round columns those of Lube et al.
+/// (2004).
 #[test]
 fn columns_end_as_high_as_published() {
     for a in [0.5_f64, 1.0, 2.0, 3.0, 4.0] {

@@ -1,5 +1,5 @@
-//! What is expected and what is read: every figure of the suite has an entry in an `expected.toml`, and every entry a
-//! figure. Nothing is run: the benchmarks only list their rows.
+//! What is expected and what is read: every figure of the suite has an entry in an `expected.toml`, and every
+//! entry a figure. Nothing is run: the benchmarks only list their rows.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use verification::expectation::{Suite, matches};
@@ -11,7 +11,8 @@ fn options(suite: Suite) -> SuiteOptions {
     SuiteOptions { fast: suite == Suite::Fast, threads: 1, only_list: true, ..SuiteOptions::default() }
 }
 
-/// The rows of a part of the suite, without figures. A figure that nothing is expected of breaks its benchmark down.
+/// The rows of a part of the suite, without figures. A figure that nothing is expected of breaks its
+/// benchmark down.
 fn listed(suite: Suite) -> Vec<Row> {
     let mut silent = |_: &str| {};
     let all = match suite {
@@ -27,8 +28,8 @@ fn listed(suite: Suite) -> Vec<Row> {
     all.into_iter().flat_map(|found| found.rows).collect()
 }
 
-/// Entries of a part of the suite without a figure; those on the balances of other runs are left out, because they
-/// need runs.
+/// Entries of a part of the suite without a figure; those on the balances of other runs are left out, because
+/// they need runs.
 fn unused(suite: Suite) -> Vec<String> {
     let rows = listed(suite);
     let mut unused = Vec::new();

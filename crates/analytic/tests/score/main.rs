@@ -1,8 +1,10 @@
-//! Which of the full friction angle, Davis' angle and 3D-RFT to believe when: scores beside measurements and the solver.
+//! Which of the full friction angle, Davis' angle and 3D-RFT to believe when: scores beside measurements and
+//! the solver.
 //!
-//! `scripts/forecast_score` prints the tables; they stand in docs/forecast.md, and this test fails where they are not up to date
-//! (`COULTER_UPDATE=1` rewrites them). Parameters of the measured sand are fixed before any row of the wheel: γ as measured; φ in two
-//! ways, the angle of repose and the angle that fits the plate best; μ assumed.
+//! `scripts/forecast_score` prints the tables; they stand in docs/forecast.md, and this test fails where they
+//! are not up to date (`COULTER_UPDATE=1` rewrites them). Parameters of the measured sand are fixed before
+//! any row of the wheel: γ as measured; φ in two ways, the angle of repose and the angle that fits the plate
+//! best; μ assumed.
 #![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
 
 mod rows;
@@ -53,8 +55,9 @@ impl Answer {
     }
 }
 
-/// The friction angle [deg] at which each answer fits the measured plate best, by least squares of the force over 5 to 25 mm. Davis'
-/// angle is taken from the angle that the full one needs: a fit of its own would make the two the same.
+/// The friction angle [deg] at which each answer fits the measured plate best, by least squares of the force
+/// over 5 to 25 mm. Davis' angle is taken from the angle that the full one needs: a fit of its own would make
+/// the two the same.
 fn fitted_to_the_plate() -> [f64; 3] {
     static FITTED: OnceLock<[f64; 3]> = OnceLock::new();
     let fit = |answer: Answer| {
@@ -177,7 +180,8 @@ fn table_of_scores() -> String {
     text
 }
 
-/// The recommended answer for a measured row, with its interval as the forecast gives it: `(value, low, high)` by figure.
+/// The recommended answer for a measured row, with its interval as the forecast gives it: `(value, low,
+/// high)` by figure.
 fn recommended(case: &Towing) -> (Candidate, Vec<[f64; 3]>) {
     let Forecast { models, recommended, .. } = forecast(case).unwrap();
     let model = recommended.unwrap();
@@ -202,8 +206,8 @@ fn recommended(case: &Towing) -> (Candidate, Vec<[f64; 3]>) {
     (model, figures)
 }
 
-/// The table of the measured rows beside the recommended answer at friction angles [deg] for towed and for pressed bodies; and how
-/// many figures lie in their interval.
+/// The table of the measured rows beside the recommended answer at friction angles [deg] for towed and for
+/// pressed bodies; and how many figures lie in their interval.
 fn table_of_intervals([towed, pressed]: [f64; 2]) -> (String, usize, usize) {
     let mut text = String::from(
         "| row | figure | measured | recommended | value | 5–95 % | measured inside |\n|---|---|--:|---|--:|--:|---|\n",
@@ -263,7 +267,8 @@ fn the_scores_are_those_of_the_documentation() {
     }
 }
 
-/// The rule of docs/forecast.md: of the answers that reach over the whole class, the one with the smallest median error is recommended.
+/// The rule of docs/forecast.md: of the answers that reach over the whole class, the one with the smallest
+/// median error is recommended.
 #[test]
 fn the_recommendation_follows_from_the_scores() {
     let best = |class: Class, angle: usize, answers: &[usize]| {

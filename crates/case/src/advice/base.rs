@@ -6,7 +6,8 @@ use input::quantity::plain;
 
 /// Distance from the nearest face over the height of the cell below which a base lies on it (chosen).
 const NEAR: f64 = 0.1;
-/// Part of its plan above which the lowest facets of a body are a base (chosen: those of a round body are a few per cent).
+/// Part of its plan above which the lowest facets of a body are a base (chosen: those of a round body are a
+/// few per cent).
 const FLAT: f64 = 0.2;
 
 /// Contact acts on whole cells: a base within one lies as good as a part of a cell deeper or higher.

@@ -5,12 +5,14 @@ use crate::resolved::{Body, Case, Motion};
 use crate::thickness::{self, ThinPlace};
 use crate::tow::Measures;
 
-/// Cells across which a body is resolved well, and those below which soil leaks through it: measured on a tray and a bucket of sheet.
+/// Cells across which a body is resolved well, and those below which soil leaks through it: measured on a
+/// tray and a bucket of sheet.
 const ENOUGH_CELLS: f64 = 4.0;
 const TIGHT_CELLS: f64 = 2.0;
 
-/// Below how many cells over width, contact chord or sinkage the drag, vertical force or sinkage of random cases changed by how much on cells
-/// two thirds as wide, in the median and in nine of ten: `scripts/reliability/random_cases.py --changes`, docs/reliability.md.
+/// Below how many cells over width, contact chord or sinkage the drag, vertical force or sinkage of random
+/// cases changed by how much on cells two thirds as wide, in the median and in nine of ten:
+/// `scripts/reliability/random_cases.py --changes`, docs/reliability.md.
 const CHANGES: [(f64, [f64; 2]); 2] = [(TIGHT_CELLS, [0.18, 0.38]), (ENOUGH_CELLS, [0.08, 0.29])];
 
 /// How far the answer changes on finer cells, where there are so few.
@@ -23,7 +25,8 @@ fn change(cells: f64) -> Option<String> {
     ))
 }
 
-/// Warns where there are few cells across a body, in the plane of its tow, or over the sinkage at which it is held.
+/// Warns where there are few cells across a body, in the plane of its tow, or over the sinkage at which it is
+/// held.
 pub(super) fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let Measures { extent: mut size, thickness, cell } = Measures::of(case, body, case.grid.fine_cell());
     size.y = thickness;
@@ -42,8 +45,8 @@ pub(super) fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
     sinkage(case, body, notes);
 }
 
-/// Warns where there are few cells across a body, or across a part of it that is thinner; returns the least number of them. `side` is
-/// that across the narrowest side of its box.
+/// Warns where there are few cells across a body, or across a part of it that is thinner; returns the least
+/// number of them. `side` is that across the narrowest side of its box.
 fn thinnest(case: &Case, body: &Body, side: f64, notes: &mut Vec<String>) -> f64 {
     let (enough, slack) = (ENOUGH_CELLS * (1.0 - 1e-9), 1.0 - 1e-3);
     let thin = thickness::thin_places(case, body, enough);

@@ -7,8 +7,8 @@ use crate::resolved::{Body, Case};
 use crate::tow::TowDirection;
 use physics::elastic::Elastic;
 
-/// Fraction of the force above which the contribution of inertia or viscosity is mentioned; chosen: less is below the
-/// uncertainty due to grid and friction angle.
+/// Fraction of the force above which the contribution of inertia or viscosity is mentioned; chosen: less is
+/// below the uncertainty due to grid and friction angle.
 const NOTABLE: f64 = 0.1;
 
 /// Whether the motion is slow enough to be quasi-static.
@@ -23,8 +23,9 @@ pub(super) fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
     viscosity(case, body, speed, depth, case.grid.fine_cell()[axis], notes);
 }
 
-/// What the soil's inertia adds to the force. The ground carries the load of a body that is free to sink at any speed, so
-/// that inertia is compared with this load; for any other body it is compared with the passive thrust.
+/// What the soil's inertia adds to the force. The ground carries the load of a body that is free to sink at
+/// any speed, so that inertia is compared with this load; for any other body it is compared with the passive
+/// thrust.
 fn inertia(case: &Case, body: &Body, speed: f64, depth: f64, notes: &mut Vec<String>) {
     if case.gravity <= 0.0 || case.soil.unit_weight <= 0.0 || speed <= 0.0 {
         return;
@@ -49,7 +50,8 @@ fn inertia(case: &Case, body: &Body, speed: f64, depth: f64, notes: &mut Vec<Str
     }
 }
 
-/// Typical contact pressure of soil failing round a body at this depth [Pa]; infinite for soil that does not fail.
+/// Typical contact pressure of soil failing round a body at this depth [Pa]; infinite for soil that does not
+/// fail.
 fn contact_pressure(case: &Case, depth: f64) -> f64 {
     match (case.soil.law.friction_angle(), case.soil.law.cohesion()) {
         (Some(friction_angle), Some(cohesion)) => {
@@ -66,8 +68,9 @@ fn viscosity(case: &Case, body: &Body, speed: f64, depth: f64, cell: f64, notes:
     let pressure = contact_pressure(case, depth);
     let wave_speed =
         Elastic::new(case.soil.stiffest_modulus(), case.soil.poisson_ratio).wave_speed(case.soil.density);
-    // The strain rate is the speed over the length of the contact, √(z d), not over one cell: on the towed disc, where a
-    // cell's would make a third of the pressure, switching the viscosity off changes the drag by less than 1 %.
+    // The strain rate is the speed over the length of the contact, √(z d), not over one cell: on the towed
+    // disc, where a cell's would make a third of the pressure, switching the viscosity off changes the drag
+    // by less than 1 %.
     let contact = (depth * body_length(std::slice::from_ref(body))).sqrt().max(cell);
     let speed_difference = speed * cell / contact;
     let viscous = case.soil.density * wave_speed * case.numerics.bulk_viscosity_linear * speed_difference;

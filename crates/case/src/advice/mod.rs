@@ -1,4 +1,5 @@
-//! Warnings about a case that can be run: whether the grid is fine enough, the tow slow enough, the box large enough.
+//! Warnings about a case that can be run: whether the grid is fine enough, the tow slow enough, the box large
+//! enough.
 
 mod base;
 mod closed_box;

@@ -3,12 +3,14 @@
 use crate::path::Paths;
 use crate::resolved::{Body, Case, Law, Tresca};
 
-/// Cells from crest to crest below which furrows are mentioned (chosen: a crest and a trough of four cells each).
+/// Cells from crest to crest below which furrows are mentioned (chosen: a crest and a trough of four cells
+/// each).
 const CELLS_A_FURROW: f64 = 8.0;
 /// Height of a steep slope of undrained soil over s_u/γ at which it fails (Taylor 1937, a vertical one).
 const STABLE_HEIGHT: f64 = 3.83;
 
-/// Warns of slopes that do not stand, furrows and soil bodies of few cells, and bodies that start inside ridges.
+/// Warns of slopes that do not stand, furrows and soil bodies of few cells, and bodies that start inside
+/// ridges.
 pub(super) fn uneven(case: &Case, notes: &mut Vec<String>) {
     small(case, notes);
     if case.relief.is_level() {

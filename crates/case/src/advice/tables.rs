@@ -1,4 +1,5 @@
-//! What is to be said of files that a case names: how they were read, and whether tables of motions are as long as the run.
+//! What is to be said of files that a case names: how they were read, and whether tables of motions are as
+//! long as the run.
 
 use crate::resolved::Case;
 use input::quantity::plain;

@@ -1,11 +1,12 @@
-//! Whether there is enough space for the soil that a body displaces: below the lid, and in front of the walls.
+//! Whether there is enough space for the soil that a body displaces: below the lid, and in front of the
+//! walls.
 
 use crate::path::{Paths, body_length};
 use crate::resolve::clearance::{SoilConditions, clearance};
 use crate::resolved::{Body, Case};
 
-/// Distance to a wall, in body lengths, below which it is mentioned; chosen: soil fails over some three sinkages, and a
-/// disc seldom sinks deeper than a third of its diameter.
+/// Distance to a wall, in body lengths, below which it is mentioned; chosen: soil fails over some three
+/// sinkages, and a disc seldom sinks deeper than a third of its diameter.
 const NEAR: f64 = 1.2;
 
 /// Warns of walls, floor or lid that are too close to the body.

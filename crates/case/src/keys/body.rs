@@ -12,8 +12,8 @@ const LOCKED: &str = "locked";
 const SLIDE: Kind = Kind::Motion { still: FIXED, way: LENGTH, speed: SPEED, load: FORCE };
 const TURN: Kind = Kind::Motion { still: LOCKED, way: ANGLE, speed: TURN_RATE, load: TORQUE };
 
-/// Keys of a motion that is written as a table, `{ speed = "0.2 m/s", ramp = "0.1 s" }`; those of a rotation measure a rate
-/// of turning and a torque.
+/// Keys of a motion that is written as a table, `{ speed = "0.2 m/s", ramp = "0.1 s" }`; those of a rotation
+/// measure a rate of turning and a torque.
 pub(super) const MOTION: &[Key] = &[
     key(
         "speed",

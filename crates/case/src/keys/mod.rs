@@ -1,5 +1,5 @@
-//! Every key of a case file, with its kind, default, range and meaning. Reading, `validate`, the JSON schema and the
-//! documentation all follow from these tables.
+//! Every key of a case file, with its kind, default, range and meaning. Reading, `validate`, the JSON schema
+//! and the documentation all follow from these tables.
 
 pub(crate) mod allowed;
 mod body;
@@ -102,7 +102,8 @@ pub const UNTIL: KeyTable = section(
     stage::UNTIL,
 );
 
-/// The key that a path leads to: `gravity`, `soil.cohesion`, `body.disc.forward.ramp`; of a list `domain.x[0]`, too.
+/// The key that a path leads to: `gravity`, `soil.cohesion`, `body.disc.forward.ramp`; of a list
+/// `domain.x[0]`, too.
 #[must_use]
 pub fn at(path: &str) -> Option<&'static Key> {
     let path = path.split('[').next().unwrap_or_default();

@@ -10,7 +10,8 @@ use glam::DVec3;
 use input::problem::Problems;
 use input::typed::Section;
 
-/// Density of a body whose mass is not given because it never moves freely [kg/m³]: solid steel. Nothing depends on it.
+/// Density of a body whose mass is not given because it never moves freely [kg/m³]: solid steel. Nothing
+/// depends on it.
 const NOMINAL_DENSITY: f64 = 7850.0;
 
 /// One body of the case; the motions of one that a joint carries are free unless they are given.
@@ -108,7 +109,8 @@ fn adhesion_factor(section: &Section, context: &Context, problems: &mut Problems
     section.number("adhesion_factor")
 }
 
-/// The mass, if it is known; the outer `None` if it was given wrongly. The body displaces this mass of water [kg].
+/// The mass, if it is known; the outer `None` if it was given wrongly. The body displaces this mass of water
+/// [kg].
 #[allow(clippy::option_option)]
 fn mass(
     section: &Section,

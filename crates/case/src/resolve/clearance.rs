@@ -1,4 +1,5 @@
-//! The clearance that a body needs round its path: for the heap in front of it, and for the ground that fails round it.
+//! The clearance that a body needs round its path: for the heap in front of it, and for the ground that fails
+//! round it.
 //!
 //! Rough, conservative estimates: soil that reaches a lid or a wall increases the force.
 
@@ -7,22 +8,26 @@ use crate::resolved::{Body, Case, Law, Motion};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-/// Sinkage of a body that is free to sink [body lengths]; chosen: the shipped disc sinks half as deep, a disc that does
-/// not turn up to three times.
+/// Sinkage of a body that is free to sink [body lengths]; chosen: the shipped disc sinks half as deep, a disc
+/// that does not turn up to three times.
 const FREE_SINKAGE: f64 = 0.1;
-/// The same for the height of the heap; chosen: air above it costs next to nothing, and soil that reaches the lid ends the run.
+/// The same for the height of the heap; chosen: air above it costs next to nothing, and soil that reaches the
+/// lid ends the run.
 const FREE_SINKAGE_AT_MOST: f64 = 1.0;
-/// Slope of a heap of cohesive or undrained soil [rad]; chosen: steeper than sand, and such soil does break up.
+/// Slope of a heap of cohesive or undrained soil [rad]; chosen: steeper than sand, and such soil does break
+/// up.
 const COHESIVE_SLOPE: f64 = FRAC_PI_4;
 /// Least slope of a heap [rad]; chosen: with less the foot of the heap would extend without limit.
 const MIN_SLOPE: f64 = 10.0 * PI / 180.0;
-/// Largest friction angle for the size of failure surfaces [rad]; chosen: beyond it logarithmic spirals grow without bounds.
+/// Largest friction angle for the size of failure surfaces [rad]; chosen: beyond it logarithmic spirals grow
+/// without bounds.
 const LARGEST_FRICTION: f64 = 50.0 * PI / 180.0;
-/// Extent of the failure zone in front of a rough face over Rankine's in front of a smooth one; chosen so that the exact
-/// field with a wall friction of two thirds of φ stays within it up to φ = 45° (a test compares).
+/// Extent of the failure zone in front of a rough face over Rankine's in front of a smooth one; chosen so
+/// that the exact field with a wall friction of two thirds of φ stays within it up to φ = 45° (a test
+/// compares).
 const ROUGH_REACH: f64 = 2.0;
-/// Depth over the height of a body below which the ground fails round the body instead of up to the surface; chosen:
-/// buried plates are found to change from one mechanism to the other at 3 to 8.
+/// Depth over the height of a body below which the ground fails round the body instead of up to the surface;
+/// chosen: buried plates are found to change from one mechanism to the other at 3 to 8.
 const DEEP: f64 = 4.0;
 /// Fraction of Prandtl's field under a footing that must fit: Hill's, under a smooth one, is half as large.
 const FOOTING_FRACTION: f64 = 0.5;
@@ -106,7 +111,8 @@ impl Clearance {
     }
 }
 
-/// Depth of the lowest point of a body, or of any of its parts, in the soil on the whole path [m]; for a body that is free to sink at least [`FREE_SINKAGE`].
+/// Depth of the lowest point of a body, or of any of its parts, in the soil on the whole path [m]; for a body
+/// that is free to sink at least [`FREE_SINKAGE`].
 pub(crate) fn deepest(body: &Body, soil: &SoilConditions, duration: f64) -> f64 {
     if !body.parts.is_empty() {
         let parts = body.surfaces();
@@ -115,7 +121,8 @@ pub(crate) fn deepest(body: &Body, soil: &SoilConditions, duration: f64) -> f64 
     sunk(body, soil, duration, FREE_SINKAGE)
 }
 
-/// Depth of the lowest point of a body without parts [m]; where it is free to sink at least so many body lengths.
+/// Depth of the lowest point of a body without parts [m]; where it is free to sink at least so many body
+/// lengths.
 fn sunk(body: &Body, soil: &SoilConditions, duration: f64, free: f64) -> f64 {
     let size = body.size();
     let least = match body.guided().translation[2] {
@@ -185,8 +192,9 @@ fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Cle
     Clearance { above, along: [reach; 2], sideways: reach, below, ..Clearance::default() }
 }
 
-/// Height of the heap [m] formed by the swept soil, `area` over the body's width [m²]: a wedge at the slope of repose in
-/// front of the whole width, b H²/(2 tan φ), which ends in a quarter of a cone on either side, π H³/(12 tan²φ).
+/// Height of the heap [m] formed by the swept soil, `area` over the body's width [m²]: a wedge at the slope
+/// of repose in front of the whole width, b H²/(2 tan φ), which ends in a quarter of a cone on either side, π
+/// H³/(12 tan²φ).
 ///
 /// A body retains soil up to its own height; what flows over it is a layer no thicker than the depth of cut.
 fn heap(body: &Body, soil: &SoilConditions, area: f64, depth: f64, duration: f64) -> f64 {

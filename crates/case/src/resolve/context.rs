@@ -61,7 +61,8 @@ impl Context {
         -mass * self.gravity * self.slope.down() + DVec3::ZERO
     }
 
-    /// Whether a plane of symmetry or of strain forbids a motion, by its number in [`crate::resolved::MOTIONS`].
+    /// Whether a plane of symmetry or of strain forbids a motion, by its number in
+    /// [`crate::resolved::MOTIONS`].
     pub(super) fn planes_forbid(&self, motion: usize) -> bool {
         planes_forbid(self.symmetric || self.slab.is_some(), self.symmetric_x, motion)
     }
@@ -80,7 +81,8 @@ impl Context {
     }
 }
 
-/// A part of the case, or `None` if `check` finds something wrong with it: what follows from it would be wrong, too.
+/// A part of the case, or `None` if `check` finds something wrong with it: what follows from it would be
+/// wrong, too.
 pub(super) fn checked<T>(
     part: T,
     problems: &mut Problems,

@@ -10,11 +10,12 @@ use glam::DVec3;
 use input::problem::Problems;
 use input::typed::Section;
 
-/// Least clearance below the bodies and to the sides [body lengths]; chosen: the ground fails over some three sinkages,
-/// and a disc seldom sinks deeper than a third of its diameter.
+/// Least clearance below the bodies and to the sides [body lengths]; chosen: the ground fails over some three
+/// sinkages, and a disc seldom sinks deeper than a third of its diameter.
 const MIN_BELOW: f64 = 1.25;
-/// Least clearance below bodies that are only pressed [body lengths]; chosen: of nine random cases floor or walls bore more than 40 % of the contact pressure in all
-/// with 1.25, in four with half as much again; their forces changed by up to 6 %.
+/// Least clearance below bodies that are only pressed [body lengths]; chosen: of nine random cases floor or
+/// walls bore more than 40 % of the contact pressure in all with 1.25, in four with half as much again; their
+/// forces changed by up to 6 %.
 const MIN_BELOW_PRESSED: f64 = 1.9;
 const MIN_SIDE: f64 = 1.5;
 /// Least clearance above the soil [body lengths]; chosen: the heap of a free disc stays far below it.
@@ -80,7 +81,8 @@ pub(super) fn domain(
     checked(domain, problems, validate::domain::domain)
 }
 
-/// The walls; across the slope of the ground they are fixed unless they are given, since smooth ones bear no shear stress.
+/// The walls; across the slope of the ground they are fixed unless they are given, since smooth ones bear no
+/// shear stress.
 fn walls(section: &Section, context: &Context, paths: &Paths) -> Option<[[Wall; 2]; 3]> {
     let mut walls = [[Wall::Smooth; 2]; 3];
     // A plane of symmetry across the slope is refused later; a grid that follows a body has no walls there.

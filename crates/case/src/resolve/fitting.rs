@@ -1,7 +1,8 @@
 //! Grid lines on the flat faces of bodies, along the axes in which they do not move.
 //!
-//! Contact acts on whole cells, so that a body whose flat face lies within a cell is effectively too wide or too narrow.
-//! Where the face does not move, the cell width along that axis can be adjusted so that the face coincides with a cell face.
+//! Contact acts on whole cells, so that a body whose flat face lies within a cell is effectively too wide or
+//! too narrow. Where the face does not move, the cell width along that axis can be adjusted so that the face
+//! coincides with a cell face.
 
 use crate::resolved::{Body, Domain, Motion};
 use glam::DVec3;
@@ -11,9 +12,9 @@ const MAX_CHANGE: f64 = 1.25;
 /// Fraction of a cell below which two positions coincide.
 const COINCIDE: f64 = 1e-6;
 
-/// Cell width along an axis and position of one cell face [m] such that cell faces lie on the `fixed` position and on the
-/// flat faces of the bodies that do not move along the axis; `None` if there are no such faces, if no cell width fits, or if
-/// unchanged cells counted from `usual` fit already.
+/// Cell width along an axis and position of one cell face [m] such that cell faces lie on the `fixed`
+/// position and on the flat faces of the bodies that do not move along the axis; `None` if there are no such
+/// faces, if no cell width fits, or if unchanged cells counted from `usual` fit already.
 pub(super) fn fit(
     bodies: &[Body],
     domain: &Domain,

@@ -64,8 +64,8 @@ struct Graded {
     faces: Vec<f64>,
 }
 
-/// Fills the rest of the box. Where no graded cells can fill it, cells of the fine zone are given up, one after the other;
-/// `length` is the length to fill as a function of their number [m].
+/// Fills the rest of the box. Where no graded cells can fill it, cells of the fine zone are given up, one
+/// after the other; `length` is the length to fill as a function of their number [m].
 fn graded(length: impl Fn(f64) -> f64, cell: f64, growth: f64) -> Result<Graded, String> {
     for given_up in 0..MAX_GIVEN_UP {
         let given_up = f64::from(given_up);
@@ -78,8 +78,8 @@ fn graded(length: impl Fn(f64) -> f64, cell: f64, growth: f64) -> Result<Graded,
     ))
 }
 
-/// Distances of the faces beyond a fine zone that ends `length` before the box; `None` if no growth ratio from 1 to
-/// `growth` fills it with whole cells.
+/// Distances of the faces beyond a fine zone that ends `length` before the box; `None` if no growth ratio
+/// from 1 to `growth` fills it with whole cells.
 fn outside(length: f64, cell: f64, growth: f64) -> Option<Vec<f64>> {
     let length = length / cell;
     if length < COINCIDE {

@@ -14,8 +14,8 @@ use input::typed::Section;
 
 /// Fine zone round the path of the bodies, above it excepted [body lengths].
 const FINE_AROUND: DVec3 = DVec3::new(0.5, 0.25, 0.5);
-/// Least height of the fine zone above the soil, and its height limit where a heap is expected [body lengths]; chosen: the
-/// foot of the heap matters, its top carries little.
+/// Least height of the fine zone above the soil, and its height limit where a heap is expected [body
+/// lengths]; chosen: the foot of the heap matters, its top carries little.
 const FINE_ABOVE: [f64; 2] = [0.25, 0.5];
 
 /// The default fine zone: round the path of the bodies, or everywhere without any.

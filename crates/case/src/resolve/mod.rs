@@ -1,6 +1,6 @@
-//! From what was typed to what it means: what is derived from other keys is filled in. Only problems of form are found here,
-//! such as keys that are missing or contradict each other; each part is then given to `validate` before anything is derived
-//! from it.
+//! From what was typed to what it means: what is derived from other keys is filled in. Only problems of form
+//! are found here, such as keys that are missing or contradict each other; each part is then given to
+//! `validate` before anything is derived from it.
 
 mod body;
 pub(super) mod clearance;

@@ -22,8 +22,8 @@ pub(super) fn is_free(motion: Option<&typed::Motion>) -> bool {
     motion.is_some_and(|m| m.word.as_deref() == Some("free") || m.load.is_some())
 }
 
-/// A degree of freedom of a body's section; while it is free, a load replaces `support` [N], the force that carries the body until
-/// then.
+/// A degree of freedom of a body's section; while it is free, a load replaces `support` [N], the force that
+/// carries the body until then.
 pub(super) fn freedom(
     (section, number): (&Section, usize),
     typed: Option<&typed::Motion>,
@@ -35,7 +35,8 @@ pub(super) fn freedom(
     checked(motion, problems, |motion, problems| validate::body::motion(&path, motion, problems))
 }
 
-/// Rotation about the axle, of a body that moves forward and sideways so, rolls on a radius [m] and has this yaw [rad].
+/// Rotation about the axle, of a body that moves forward and sideways so, rolls on a radius [m] and has this
+/// yaw [rad].
 pub(super) fn spin(
     (section, typed): (&Section, Option<&typed::Motion>),
     [forward, lateral]: [&Option<Motion>; 2],

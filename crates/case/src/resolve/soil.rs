@@ -91,7 +91,8 @@ fn weight_of_sand(section: &Section, gravity: f64, law: &Law, problems: &mut Pro
     Some([density * gravity, density])
 }
 
-/// The law with its parameters; those that only other laws have are reported, since they would have no effect.
+/// The law with its parameters; those that only other laws have are reported, since they would have no
+/// effect.
 fn typed_law(section: &Section, problems: &mut Problems) -> Option<Law> {
     if !section.has("law") {
         missing(section, "law", problems);

@@ -43,7 +43,8 @@ pub(super) fn stages(
         for inner in &section.inner {
             let body = number_of(of_body(inner), &inner.path, bodies, problems);
             let Some(body) = body else { continue };
-            // Only at the start does a support stand for what carries the body: later it is known from the run.
+            // Only at the start does a support stand for what carries the body: later it is known from the
+            // run.
             let mass = if number == 0 { context.submerged_mass(&bodies[body]) } else { 0.0 };
             let held = context.support(mass);
             changes.extend(body_changes(inner, (body, &bodies[body]), &mut now[body], held, problems));

@@ -52,7 +52,8 @@ fn tow_time(section: &Section, distance: f64, bodies: &[Body], problems: &mut Pr
     None
 }
 
-/// When a towed body has travelled `distance`, forwards or backwards [s]; infinite for never, `None` if it is not towed.
+/// When a towed body has travelled `distance`, forwards or backwards [s]; infinite for never, `None` if it is
+/// not towed.
 fn arrival_time(freedom: &Motion, distance: f64) -> Option<f64> {
     let Motion::Prescribed { speed, start, ramp, .. } = *freedom else { return None };
     if speed == 0.0 {

@@ -21,7 +21,8 @@ pub(super) fn sections(sections: &[Section], problems: &mut Problems) {
     }
 }
 
-/// The bodies that move for themselves, with those that are welded to them as their parts, and the joints between them.
+/// The bodies that move for themselves, with those that are welded to them as their parts, and the joints
+/// between them.
 pub(super) fn weld(
     sections: &[Section],
     bodies: Vec<Body>,

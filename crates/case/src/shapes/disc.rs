@@ -207,7 +207,8 @@ impl CaseShape for Disc {
         text
     }
 
-    /// The models of discs know neither a bevel nor a hollow, which change where soil is cut and how it is turned.
+    /// The models of discs know neither a bevel nor a hollow, which change where soil is cut and how it is
+    /// turned.
     fn closed_form(&self) -> ClosedForm {
         let Self { diameter, thickness, .. } = *self;
         match self.rim {

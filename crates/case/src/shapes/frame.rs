@@ -6,7 +6,8 @@ use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
 
-/// A frame: mass and motion without a surface, such as the beam that carries discs, or the point that a cable is towed by.
+/// A frame: mass and motion without a surface, such as the beam that carries discs, or the point that a cable
+/// is towed by.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Frame {}
 

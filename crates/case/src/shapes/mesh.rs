@@ -46,8 +46,8 @@ impl PartialEq for MeshBody {
 impl MeshBody {
     pub(super) const KEYS: &[&str] = &["file", "unit"];
 
-    /// The solid in a file in a folder, whose unit of length is written like that of a length: `mm`. Without one it is that which the
-    /// file states.
+    /// The solid in a file in a folder, whose unit of length is written like that of a length: `mm`. Without
+    /// one it is that which the file states.
     ///
     /// # Errors
     /// [`MeshFileProblem`] says what is wrong with the file, where, and what to do.

@@ -1,4 +1,5 @@
-//! The shapes of bodies in a case: a file for each, which reads its keys and answers what the program asks of a shape.
+//! The shapes of bodies in a case: a file for each, which reads its keys and answers what the program asks of
+//! a shape.
 
 mod bevel;
 mod blade;

@@ -12,8 +12,8 @@ pub(crate) struct Slab {
 }
 
 impl Slab {
-    /// Width of a body [m]: that of the slab plus the inset of the contact points at both edges, so that the points cover
-    /// the slab exactly.
+    /// Width of a body [m]: that of the slab plus the inset of the contact points at both edges, so that the
+    /// points cover the slab exactly.
     pub(crate) fn covering_width(&self) -> f64 {
         self.width + 2.0 * self.inset
     }

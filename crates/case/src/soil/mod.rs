@@ -142,8 +142,9 @@ impl Soil {
         self.law.sand().map(|sand| sand.relative_density(self.density))
     }
 
-    /// Volume strain ε from the start to the critical state at low pressure, positive for soil that dilates: (n_max − n)/(1 − n_max),
-    /// which is ρ/ρ_crit − 1. `None` for soil whose law does not say it, 0 for undrained soil.
+    /// Volume strain ε from the start to the critical state at low pressure, positive for soil that dilates:
+    /// (n_max − n)/(1 − n_max), which is ρ/ρ_crit − 1. `None` for soil whose law does not say it, 0 for
+    /// undrained soil.
     #[must_use]
     pub fn volume_strain(&self) -> Option<f64> {
         self.law.volume_strain(&self.initial())

@@ -5,8 +5,8 @@ use crate::own_weight::depth;
 use crate::resolved::{Body, Case};
 use input::quantity::short;
 
-/// Pressure under a body over weight and strength of the soil at the floor beyond which it is doubted (chosen): cones of dense sand read
-/// up to 300 times the stress of the soil's weight.
+/// Pressure under a body over weight and strength of the soil at the floor beyond which it is doubted
+/// (chosen): cones of dense sand read up to 300 times the stress of the soil's weight.
 const HEAVY: f64 = 300.0;
 
 /// Doubts weights and loads of bodies that sink freely.

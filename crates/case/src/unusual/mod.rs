@@ -1,5 +1,6 @@
-//! What no soil, body or tow has: values outside what is usual for their keys, soil that is too soft or too stiff for its weight, and
-//! motions that can hardly be meant. Such a case can be run; `check` says it, and the run is graded doubtful.
+//! What no soil, body or tow has: values outside what is usual for their keys, soil that is too soft or too
+//! stiff for its weight, and motions that can hardly be meant. Such a case can be run; `check` says it, and
+//! the run is graded doubtful.
 
 mod load;
 mod motion;

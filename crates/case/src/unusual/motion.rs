@@ -1,16 +1,16 @@
-//! Motions that can hardly be meant: a tow backwards, one that is too short for the soil to fail, and one faster than the soil can give
-//! way.
+//! Motions that can hardly be meant: a tow backwards, one that is too short for the soil to fail, and one
+//! faster than the soil can give way.
 
 use super::values;
 use crate::path::{fastest, range, travel};
 use crate::resolved::{Body, Case};
 use input::quantity::plain;
 
-/// Way of a body that sinks or rolls freely over its length below which its tow is doubted (chosen): the force on towed discs is steady
-/// after 0.5 to 1.5 diameters.
+/// Way of a body that sinks or rolls freely over its length below which its tow is doubted (chosen): the
+/// force on towed discs is steady after 0.5 to 1.5 diameters.
 const SHORT: f64 = 0.1;
-/// Speed over that of waves in the soil beyond which a motion is doubted (chosen): the dynamic pressure ρ v² is then a tenth of the
-/// stiffness.
+/// Speed over that of waves in the soil beyond which a motion is doubted (chosen): the dynamic pressure ρ v²
+/// is then a tenth of the stiffness.
 const FAST: f64 = 0.3;
 
 /// Doubts motions.

@@ -6,10 +6,12 @@ use crate::path::body_length;
 use crate::resolved::Case;
 use input::quantity::{plain, short};
 
-/// Mean strain under its own weight beyond which soil is doubted (chosen): loose sand and soft clay are compressed by 1 to 2 %.
+/// Mean strain under its own weight beyond which soil is doubted (chosen): loose sand and soft clay are
+/// compressed by 1 to 2 %.
 const SOFT: f64 = 0.05;
-/// Young's modulus over the stress that the soil bears beyond which it is doubted (chosen): that of dense sand at small strains and a
-/// stress of 1 kPa is some 30 000 times as large (Hardin and Richart 1963), and footings in exact tests have 100 000.
+/// Young's modulus over the stress that the soil bears beyond which it is doubted (chosen): that of dense
+/// sand at small strains and a stress of 1 kPa is some 30 000 times as large (Hardin and Richart 1963), and
+/// footings in exact tests have 100 000.
 const STIFF: f64 = 2e5;
 /// Young's modulus over the strength below which cohesive soil is doubted; the softest clays have 50 to 100.
 const SOFT_OF_STRENGTH: f64 = 20.0;

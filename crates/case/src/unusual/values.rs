@@ -71,8 +71,8 @@ pub(super) fn motions(case: &Case) -> Vec<(String, Motion)> {
     all
 }
 
-/// The doubt about a number outside the usual range of its key, which is larger or smaller by a factor `scale`. 0 is written on
-/// purpose and not doubted.
+/// The doubt about a number outside the usual range of its key, which is larger or smaller by a factor
+/// `scale`. 0 is written on purpose and not doubted.
 fn outside(path: &str, number: f64, scale: f64) -> Option<String> {
     let key = keys::at(path)?;
     let ends = key.usual_ends()?.map(|end| end * scale);

@@ -12,7 +12,8 @@ use input::quantity::plain;
 /// Least number of cells across a body: with fewer, soil leaks through it.
 const MIN_CELLS_ACROSS: f64 = 1.0;
 
-/// Reports what is wrong with a body in a grid whose fine cells have the widths `cell` [m], and that may be one slab.
+/// Reports what is wrong with a body in a grid whose fine cells have the widths `cell` [m], and that may be
+/// one slab.
 pub(crate) fn body(body: &Body, (cell, plane_strain): (DVec3, bool), problems: &mut Problems) {
     let path = format!("body.{}", body.name);
     shape(&path, &body.shape, (cell, plane_strain), problems);
@@ -64,7 +65,8 @@ fn resolution(path: &str, shape: &Shape, grid: (DVec3, bool), problems: &mut Pro
     }
 }
 
-/// Reports walls of bodies from files that are too thin to resolve contact; the rounding of STL makes none so.
+/// Reports walls of bodies from files that are too thin to resolve contact; the rounding of STL makes none
+/// so.
 pub(super) fn walls(case: &Case, problems: &mut Problems) {
     let places =
         case.touching().flat_map(|(_, body)| thin_places(case, body, MIN_CELLS_ACROSS * (1.0 - 1e-5)));

@@ -11,8 +11,8 @@ use input::problem::Problems;
 const MAX_STEPS: f64 = 1e12;
 /// Least number: in a single step nothing that moves can meet soil that gives way.
 const MIN_STEPS: f64 = 2.0;
-/// Wave speeds [m/s] and densities [kg/m³] between which no stiffness and no density is at fault: those of mud and of steel, and wide
-/// limits round them (chosen).
+/// Wave speeds [m/s] and densities [kg/m³] between which no stiffness and no density is at fault: those of
+/// mud and of steel, and wide limits round them (chosen).
 const WAVE_SPEEDS: [f64; 2] = [1.0, 1e4];
 const DENSITIES: [f64; 2] = [10.0, 1e5];
 /// Cell width below which cells are at fault [m]; chosen: less than a grain of silt.
@@ -50,7 +50,8 @@ fn contact_points_remain(case: &Case, problems: &mut Problems) {
     }
 }
 
-/// Refuses numbers that are too large or too small to compute with, and runs that would take too many steps, or one.
+/// Refuses numbers that are too large or too small to compute with, and runs that would take too many steps,
+/// or one.
 fn can_be_computed(case: &Case, problems: &mut Problems) {
     let cost = estimate::estimate(case);
     let is_computable = cost.time_step_s > 0.0 && cost.time_step_s.is_finite();

@@ -151,7 +151,8 @@ fn stays_inside(body: &Body, domain: &Domain, paths: &Paths, problems: &mut Prob
         );
         problems.add(at(body, key), message, format!("make domain.{name} wider, or the path shorter"));
     }
-    // A wall may extend through the floor, so that no soil passes under it; a body that moves vertically may not.
+    // A wall may extend through the floor, so that no soil passes under it; a body that moves vertically may
+    // not.
     let through_the_floor = whole.low.z < domain.low.z && body.guided().translation[2] != Motion::Fixed;
     if through_the_floor || start.high.z <= domain.low.z || start.low.z >= domain.high.z {
         let message = format!(

@@ -4,7 +4,8 @@ use crate::numbers::in_range;
 use crate::resolved::{Case, Joint, JointKind};
 use input::problem::Problems;
 
-/// Reports joints that name bodies which are not there, with numbers out of range, or off a plane of symmetry.
+/// Reports joints that name bodies which are not there, with numbers out of range, or off a plane of
+/// symmetry.
 pub(super) fn joints(case: &Case, problems: &mut Problems) {
     for joint in &case.joints {
         let path = format!("joint.{}", joint.name);

@@ -1,4 +1,5 @@
-//! Whether a case can be simulated, however it was made. It sees values only; problems name the path of the key at fault.
+//! Whether a case can be simulated, however it was made. It sees values only; problems name the path of the
+//! key at fault.
 
 pub(super) mod body;
 mod cost;
@@ -22,8 +23,8 @@ use input::problem::{Problem, Problems};
 
 /// Everything that is wrong with a case; empty for one that can be simulated.
 ///
-/// What [`super::parse`] returns has passed this check already; a case that was made or changed by hand has not. Whether
-/// there is enough memory depends on the machine and on the moment.
+/// What [`super::parse`] returns has passed this check already; a case that was made or changed by hand has
+/// not. Whether there is enough memory depends on the machine and on the moment.
 #[must_use]
 pub fn validate(case: &Case) -> Vec<Problem> {
     let mut problems = Problems::default();

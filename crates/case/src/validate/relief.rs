@@ -1,5 +1,5 @@
-//! Ground that is not level, and bodies of other soil in it: whether its surface lies in the box, is known wherever the grid goes, and
-//! is its own mirror image where the case is.
+//! Ground that is not level, and bodies of other soil in it: whether its surface lies in the box, is known
+//! wherever the grid goes, and is its own mirror image where the case is.
 
 use crate::numbers::in_range;
 use crate::resolved::{Attitude, Case, Domain, Ground, SoilBody};
@@ -87,7 +87,8 @@ fn inside(case: &Case, problems: &mut Problems) {
     }
 }
 
-/// Whether the surface is its own mirror image in planes of symmetry, and uniform across a slab of plane strain.
+/// Whether the surface is its own mirror image in planes of symmetry, and uniform across a slab of plane
+/// strain.
 fn mirrored(case: &Case, problems: &mut Problems) {
     let Domain { symmetric, symmetric_x, plane_strain, .. } = case.domain;
     let relief = case.relief.of_solver();

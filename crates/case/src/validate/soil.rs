@@ -1,4 +1,5 @@
-//! The soil: whether its parameters are in range and do not contradict each other, and whether it sustains the overburden.
+//! The soil: whether its parameters are in range and do not contradict each other, and whether it sustains
+//! the overburden.
 
 use crate::at_rest;
 use crate::numbers::in_range;
@@ -15,8 +16,8 @@ pub(super) fn overburden_number(overburden: f64, problems: &mut Problems) {
 
 const OVERBURDEN: &str = "ground.overburden";
 
-/// Reports an overburden [Pa] under which the soil, with its surface at a height [m], does not reach up to the lid or yields
-/// at once.
+/// Reports an overburden [Pa] under which the soil, with its surface at a height [m], does not reach up to
+/// the lid or yields at once.
 pub(crate) fn overburden(
     overburden: f64,
     soil: &Soil,
@@ -112,7 +113,8 @@ pub(super) fn growing_strength(case: &Case, problems: &mut Problems) {
     }
 }
 
-/// Laws at top and base of a soil, by its number from the top down, each with the stress normal to the surface there [Pa].
+/// Laws at top and base of a soil, by its number from the top down, each with the stress normal to the
+/// surface there [Pa].
 fn ends(case: &Case, number: usize) -> [(Law, f64); 2] {
     let law = case.layered_soils().nth(number).map_or(case.soil.law, |(_, soil)| soil.law);
     let above = number.checked_sub(1).map_or(case.overburden, |above| stress_at_base(case, above));
@@ -141,7 +143,8 @@ fn stress_at_base(case: &Case, number: usize) -> f64 {
     case.overburden + each.map(|((_, soil), thickness)| weight(soil, thickness)).sum::<f64>()
 }
 
-/// Largest difference between the weights over the masses of the soils, over either: one gravity acts on all of them.
+/// Largest difference between the weights over the masses of the soils, over either: one gravity acts on all
+/// of them.
 const SAME_GRAVITY: f64 = 1e-6;
 
 /// Reports layers that lie in the wrong place, or that cannot lie in one case.

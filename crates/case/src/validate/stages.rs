@@ -8,7 +8,8 @@ use crate::rigid_body::planes_forbid;
 use input::problem::Problems;
 use input::quantity::plain;
 
-/// Reports stages that name bodies which are not there, motions that a plane forbids, and numbers out of their range.
+/// Reports stages that name bodies which are not there, motions that a plane forbids, and numbers out of
+/// their range.
 pub(super) fn stages(case: &Case, problems: &mut Problems) {
     let (across_y, across_x) = (case.domain.symmetric || case.domain.plane_strain, case.domain.symmetric_x);
     for stage in &case.stages {
@@ -81,8 +82,8 @@ struct Expected {
     slack: f64,
 }
 
-/// What is known before the run of a stage that waits for a sinkage or a displacement; `None` where a motion is free, or where the run
-/// itself decides from where it begins.
+/// What is known before the run of a stage that waits for a sinkage or a displacement; `None` where a motion
+/// is free, or where the run itself decides from where it begins.
 fn expected_end(case: &Case, number: usize) -> Option<Expected> {
     let Until { body, quantity, value } = case.stages[number].until?;
     let (axis, sign) = quantity.axis()?;

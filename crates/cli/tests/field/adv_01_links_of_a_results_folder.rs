@@ -1,10 +1,12 @@
-//! A results folder from a stranger: its links must lead nowhere, whatever they are called and however the folder is used.
+//! A results folder from a stranger: its links must lead nowhere, whatever they are called and however the
+//! folder is used.
 
 use super::strangers::{CASE, copied, lead_outside, run, sh, snapshot};
 use super::support::Desk;
 use std::fs;
 
-/// A finished run that claims to have been stopped, so that it can be resumed, in the folder `whole`; and a folder `outside`.
+/// A finished run that claims to have been stopped, so that it can be resumed, in the folder `whole`; and a
+/// folder `outside`.
 fn stopped() -> Desk {
     let desk = Desk::with(&[("c.toml", CASE)]);
     run(&desk, "whole");

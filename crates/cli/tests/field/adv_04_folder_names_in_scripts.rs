@@ -1,5 +1,5 @@
-//! Scripts for other engines, of studies in folders whose names mean something to a shell, to Snakemake or to GNU parallel: what the
-//! script starts must get the folder as it is, and nothing else must happen.
+//! Scripts for other engines, of studies in folders whose names mean something to a shell, to Snakemake or to
+//! GNU parallel: what the script starts must get the folder as it is, and nothing else must happen.
 
 use super::strangers::{CASE, STUDY, sh};
 use super::support::Desk;

@@ -1,4 +1,5 @@
-//! Limits of address space and of data (`ulimit -v`, `ulimit -d`, batch systems): a run that cannot fit is refused, and nothing aborts.
+//! Limits of address space and of data (`ulimit -v`, `ulimit -d`, batch systems): a run that cannot fit is
+//! refused, and nothing aborts.
 
 use super::strangers::{CASE, sh};
 use super::support::Desk;

@@ -1,4 +1,5 @@
-//! Control characters and marks for the direction of text, wherever text of others is shown: on the terminal, in logs, in reports.
+//! Control characters and marks for the direction of text, wherever text of others is shown: on the terminal,
+//! in logs, in reports.
 
 use super::strangers::{CASE, STUDY, run};
 use super::support::{Answer, Desk};

@@ -1,5 +1,6 @@
-//! Small ones: text that a spreadsheet would compute; weights in plane strain; numbers at the ends of what a computer holds, stages that
-//! begin where they should end, negative counts; a block of millions of contact points.
+//! Small ones: text that a spreadsheet would compute; weights in plane strain; numbers at the ends of what a
+//! computer holds, stages that begin where they should end, negative counts; a block of millions of contact
+//! points.
 
 use super::strangers::{CASE, STUDY, snapshot};
 use super::support::Desk;

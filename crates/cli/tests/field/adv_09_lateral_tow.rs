@@ -68,7 +68,8 @@ fn a_tow_along_y_or_backwards_is_graded_as_one_along_x() {
         let turned = summary(&text);
         assert_eq!(names(&ahead), names(&turned), "{mirror}");
         assert_eq!(ahead["trust"]["verdict"], turned["trust"]["verdict"], "{mirror}");
-        // The soil scatters, here on four cells and within 20 mm: speeds that differ by 0.03 % find 227 to 242 N along x.
+        // The soil scatters, here on four cells and within 20 mm: speeds that differ by 0.03 % find 227 to
+        // 242 N along x.
         for (key, scatter) in [("drag_N", 0.08), ("vertical_N", 0.1)] {
             let [one, other] = [steady(&ahead, key), steady(&turned, key)];
             assert!(one > 0.0 && (other / one - 1.0).abs() < scatter, "{mirror}, {key}: {one} and {other}");

@@ -1,4 +1,5 @@
-//! A body that is pressed in single precision stopped at once: "more than half of the energy unexplained", of energies that rounding makes.
+//! A body that is pressed in single precision stopped at once: "more than half of the energy unexplained", of
+//! energies that rounding makes.
 
 use super::support::Desk;
 

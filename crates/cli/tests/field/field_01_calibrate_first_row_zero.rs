@@ -1,4 +1,5 @@
-//! Rows at which no model has a value by construction are left out and said, by every command that reads measured curves.
+//! Rows at which no model has a value by construction are left out and said, by every command that reads
+//! measured curves.
 
 use crate::support::Desk;
 

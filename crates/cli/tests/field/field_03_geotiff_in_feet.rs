@@ -1,8 +1,10 @@
-//! A GeoTIFF, a mesh: units that a file states of itself are used, or contradicted with the cure; none is ignored.
+//! A GeoTIFF, a mesh: units that a file states of itself are used, or contradicted with the cure; none is
+//! ignored.
 
 use crate::support::Desk;
 
-/// A TIFF of 30 × 20 pixels of 0.05 units, rising by 0.1, of numbers of 32 bits, with these keys and numbers of GeoTIFF.
+/// A TIFF of 30 × 20 pixels of 0.05 units, rising by 0.1, of numbers of 32 bits, with these keys and numbers
+/// of GeoTIFF.
 fn geotiff(keys: &[[u16; 4]], numbers: &[f64]) -> Vec<u8> {
     const SIZE: [u32; 2] = [30, 20];
     let heights = (0..SIZE[0] * SIZE[1]).map(|n| 0.1 * 0.05 * (n % SIZE[0]) as f32);

@@ -1,5 +1,5 @@
-//! The name of every column of a motion table counts: sinkage goes down, what is no motion is refused; times that never come into the run
-//! are said.
+//! The name of every column of a motion table counts: sinkage goes down, what is no motion is refused; times
+//! that never come into the run are said.
 
 use crate::support::Desk;
 

@@ -1,4 +1,5 @@
-//! In plane strain lengths and forces are those of the body, per metre of its width, whatever the slab that is modelled.
+//! In plane strain lengths and forces are those of the body, per metre of its width, whatever the slab that
+//! is modelled.
 
 use crate::support::Desk;
 use serde_json::Value;
@@ -91,7 +92,8 @@ fn a_cylinder_in_plane_strain_is_a_metre_of_it() {
     assert!(forces[0] > 100.0 && (forces[0] / forces[1] - 1.0).abs() < 0.05, "{forces:?}");
 }
 
-/// Plane strain was named of blocks alone; and values at another friction angle were announced where none are shown.
+/// Plane strain was named of blocks alone; and values at another friction angle were announced where none are
+/// shown.
 #[test]
 fn a_pressed_pipe_is_told_per_metre_of_width_and_what_is_announced_is_shown() {
     let pressed = |soil: &str, domain: &str, body: &str| {

@@ -1,4 +1,5 @@
-//! The thinnest wall of a body from a file, in cells: refused below one, warned of below four; tips and edges are no walls.
+//! The thinnest wall of a body from a file, in cells: refused below one, warned of below four; tips and edges
+//! are no walls.
 
 use crate::support::Desk;
 use std::f64::consts::TAU;
@@ -16,7 +17,8 @@ friction = 0
 heave = { speed = '-0.2 m/s', ramp = '0.05 s' }
 ";
 
-/// A solid of revolution about z, from the radii [mm] and heights [mm] of its outline, which begins and ends on the axis.
+/// A solid of revolution about z, from the radii [mm] and heights [mm] of its outline, which begins and ends
+/// on the axis.
 fn revolved(outline: &[[f64; 2]]) -> String {
     const SEGMENTS: usize = 48;
     let mut text = String::new();
@@ -36,7 +38,8 @@ fn revolved(outline: &[[f64; 2]]) -> String {
     text
 }
 
-/// A bucket, open below: radius 100 mm, skirt 150 mm, and a lid of half a cell, which does not come down to the soil.
+/// A bucket, open below: radius 100 mm, skirt 150 mm, and a lid of half a cell, which does not come down to
+/// the soil.
 fn bucket(wall: f64) -> String {
     let inner = 100.0 - wall;
     revolved(&[[0.0, 0.0], [inner, 0.0], [inner, -150.0], [100.0, -150.0], [100.0, 5.0], [0.0, 5.0]])

@@ -1,4 +1,5 @@
-//! Tables as Excel saves them in German, French or Dutch: read alike as ground, as motion and as measurement, and said once.
+//! Tables as Excel saves them in German, French or Dutch: read alike as ground, as motion and as measurement,
+//! and said once.
 
 use crate::support::Desk;
 

@@ -1,4 +1,5 @@
-//! A legal polygon of OBJ or PLY, concave, is divided; one that crosses itself is refused by its line, without the cure of a damaged file.
+//! A legal polygon of OBJ or PLY, concave, is divided; one that crosses itself is refused by its line,
+//! without the cure of a damaged file.
 
 use crate::support::Desk;
 

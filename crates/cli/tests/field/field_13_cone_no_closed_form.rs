@@ -1,4 +1,5 @@
-//! Closed forms are judged at the points that are asked for, and cones, piles, pipes, growing strength and uplift have one.
+//! Closed forms are judged at the points that are asked for, and cones, piles, pipes, growing strength and
+//! uplift have one.
 
 use crate::support::Desk;
 use serde_json::Value;

@@ -1,4 +1,5 @@
-//! The interval of a difference is not that of its sum, and a model with a bad record is not recommended for being alone.
+//! The interval of a difference is not that of its sum, and a model with a bad record is not recommended for
+//! being alone.
 
 use crate::support::Desk;
 
@@ -30,7 +31,8 @@ fn the_interval_of_the_pull_holds_what_solver_and_particle_code_found() {
     let seen: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
     let model = seen["models"].as_array().unwrap().iter().find(|model| model["name"] == "3D-RFT").unwrap();
     let [low, high] = ["low", "high"].map(|end| model["interval"]["drag_N"][end].as_f64().unwrap());
-    // Pulls of 252 N (a particle code) and 229 N (the solver), known when the interval was made; the soil can shear W tan φ.
+    // Pulls of 252 N (a particle code) and 229 N (the solver), known when the interval was made; the soil can
+    // shear W tan φ.
     assert!(low < -252.0 && high > -229.0, "{low} {high}");
     assert!(low >= -801.3, "{low}");
     assert!(seen["recommended"].is_null());

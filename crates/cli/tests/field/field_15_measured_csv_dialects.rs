@@ -1,5 +1,5 @@
-//! Measured curves as instruments write them, in each command that takes them; columns named on the command line; no common point is an
-//! error.
+//! Measured curves as instruments write them, in each command that takes them; columns named on the command
+//! line; no common point is an error.
 
 use crate::field_01_calibrate_first_row_zero::PLATE;
 use crate::support::{Answer, Desk};

@@ -1,5 +1,5 @@
-//! Heights as surveys and GIS deliver them: scattered points are triangulated, ESRI grids and points are read, and a mark of no height is
-//! named with its place.
+//! Heights as surveys and GIS deliver them: scattered points are triangulated, ESRI grids and points are
+//! read, and a mark of no height is named with its place.
 
 use crate::field_09_decimal_comma_other_readers::GROUND;
 use crate::support::Desk;

@@ -1,4 +1,5 @@
-//! A tray that carries sand above the ground: its leak was divided by the volume of the tray below the ground, which is none.
+//! A tray that carries sand above the ground: its leak was divided by the volume of the tray below the
+//! ground, which is none.
 
 use super::support::Desk;
 

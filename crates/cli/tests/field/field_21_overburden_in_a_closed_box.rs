@@ -1,4 +1,5 @@
-//! A cone, a pile or a bar that is pushed into soil which fills its box pumps it up: K ΔV/V is known before the run.
+//! A cone, a pile or a bar that is pushed into soil which fills its box pumps it up: K ΔV/V is known before
+//! the run.
 
 use crate::support::Desk;
 

@@ -1,5 +1,5 @@
-//! What people who do this job ran into, each with the right answer: files and cases as they have them, typed mistakes, and hostile
-//! input. A module is one such problem.
+//! What people who do this job ran into, each with the right answer: files and cases as they have them, typed
+//! mistakes, and hostile input. A module is one such problem.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 #[cfg(unix)]

@@ -72,7 +72,8 @@ impl Desk {
 }
 
 impl Desk {
-    /// Figure and verdict of the check of this name in a results folder of the desk; `None` where the run has no such check.
+    /// Figure and verdict of the check of this name in a results folder of the desk; `None` where the run has
+    /// no such check.
     pub(crate) fn graded(&self, results: &str, check: &str) -> Option<(Option<f64>, String)> {
         let summary = self.read(&format!("{results}/summary.json"));
         let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();

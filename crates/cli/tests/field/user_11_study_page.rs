@@ -1,5 +1,6 @@
-//! The page of a study, in which a style meant for screen readers hid the text of every cell. `scripts/report/browser.py` looks at the
-//! pages; here, that no class of a cell has a style that hides, and that charts are read without colour.
+//! The page of a study, in which a style meant for screen readers hid the text of every cell.
+//! `scripts/report/browser.py` looks at the pages; here, that no class of a cell has a style that hides, and
+//! that charts are read without colour.
 
 use crate::support::Desk;
 use std::collections::BTreeSet;
@@ -59,7 +60,8 @@ fn classes(html: &str, elements: &[&str]) -> BTreeSet<String> {
     found
 }
 
-/// The rules of a style sheet on screens that hide what they are for: their selectors. Those of paper and of narrow screens are nested.
+/// The rules of a style sheet on screens that hide what they are for: their selectors. Those of paper and of
+/// narrow screens are nested.
 fn hiding(html: &str) -> Vec<String> {
     let style: String =
         html.split("<style>").skip(1).filter_map(|part| part.split("</style>").next()).collect();

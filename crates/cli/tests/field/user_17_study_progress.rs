@@ -1,5 +1,6 @@
-//! A study whose runs of the solver all broke, of which nothing was said for twelve minutes: closed forms come first, every case that ends
-//! is told at once wherever the output goes, and what a broken run gave stays in the table, marked.
+//! A study whose runs of the solver all broke, of which nothing was said for twelve minutes: closed forms
+//! come first, every case that ends is told at once wherever the output goes, and what a broken run gave
+//! stays in the table, marked.
 
 use crate::support::Desk;
 

@@ -1,5 +1,5 @@
-//! The stress below a footing was given from contact point to contact point, a saw-tooth of 0 to 15 kPa about 5: file and plot go by way of
-//! the nodes.
+//! The stress below a footing was given from contact point to contact point, a saw-tooth of 0 to 15 kPa about
+//! 5: file and plot go by way of the nodes.
 
 use crate::support::Desk;
 

@@ -1,4 +1,5 @@
-//! A spudcan pressed two diameters deep into clay: raw forces from 7 to 104 kN about 64 kN, and no check that says so.
+//! A spudcan pressed two diameters deep into clay: raw forces from 7 to 104 kN about 64 kN, and no check that
+//! says so.
 
 use super::support::Desk;
 

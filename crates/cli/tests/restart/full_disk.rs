@@ -1,4 +1,5 @@
-//! A full disk, a limit on the size of files, folders that cannot be written: clear messages, and nothing is lost.
+//! A full disk, a limit on the size of files, folders that cannot be written: clear messages, and nothing is
+//! lost.
 
 use super::sandbox::{Sandbox, TINY};
 use std::fs;

@@ -1,4 +1,5 @@
-//! Runs that are stopped, killed, damaged or out of disk space, through the binary: nothing is lost, and messages are right.
+//! Runs that are stopped, killed, damaged or out of disk space, through the binary: nothing is lost, and
+//! messages are right.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 

@@ -221,7 +221,8 @@ impl<'a> Running<'a> {
         about.rsplit(") ").next().is_some_and(|state| state.starts_with('T'))
     }
 
-    /// Lets a run that suspends itself go on until it has done so where a condition holds, and leaves it there.
+    /// Lets a run that suspends itself go on until it has done so where a condition holds, and leaves it
+    /// there.
     #[track_caller]
     pub(crate) fn hold_at(&mut self, what: &str, is_so: impl Fn(&Sandbox) -> bool) {
         loop {

@@ -13,7 +13,8 @@ use solver::error::Breakdown;
 use solver::precision::Precision;
 use std::time::Instant;
 
-/// The towed disc in the midst of its tow: it starts 20 mm deep, moving, so that there is no need to wait for it.
+/// The towed disc in the midst of its tow: it starts 20 mm deep, moving, so that there is no need to wait for
+/// it.
 pub const TOWED_DISC: (&str, [&str; 4]) = (
     include_str!("../../cases/light_disc.toml"),
     [

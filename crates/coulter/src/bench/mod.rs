@@ -1,4 +1,5 @@
-//! How fast the solver is on this machine: cell-steps per core-second, time by stage, and the limits of the machine.
+//! How fast the solver is on this machine: cell-steps per core-second, time by stage, and the limits of the
+//! machine.
 
 mod measure;
 mod measurement;

@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 use solver::halo::Communicator;
 use std::time::Instant;
 
-/// A message of n bytes takes latency + n / bandwidth; an operation of P processes together log₂ P times its latency
-/// (Hockney 1994; Thakur, Rabenseifner & Gropp 2005).
+/// A message of n bytes takes latency + n / bandwidth; an operation of P processes together log₂ P times its
+/// latency (Hockney 1994; Thakur, Rabenseifner & Gropp 2005).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Network {
     /// Time that a message of no length takes [s].
@@ -24,7 +24,8 @@ const LENGTHS: [usize; 6] = [1, 64, 1 << 10, 1 << 13, 1 << 16, 1 << 18];
 const ROUNDS: usize = 40;
 
 impl Network {
-    /// Measures the links of the processes, each with a partner, all at once; none of one process. The same in every process.
+    /// Measures the links of the processes, each with a partner, all at once; none of one process. The same
+    /// in every process.
     pub(super) fn measure(communicator: &mut dyn Communicator) -> Option<Self> {
         let (rank, size) = (communicator.rank(), communicator.size());
         if size < 2 {
@@ -61,8 +62,8 @@ impl Network {
     }
 }
 
-/// Latency [s] and time per byte [s] of a line through points of bytes and seconds, by least squares of the relative deviation; neither
-/// is negative.
+/// Latency [s] and time per byte [s] of a line through points of bytes and seconds, by least squares of the
+/// relative deviation; neither is negative.
 fn fitted(points: &[[f64; 2]]) -> [f64; 2] {
     let [mut one, mut x, mut xx, mut y, mut xy] = [0.0; 5];
     for [bytes, seconds] in points {

@@ -135,8 +135,8 @@ fn measure_in<R: Precision>(
     })
 }
 
-/// Takes the steps and measures them. Reading the clock in every stage takes time, so that the share of contact is measured by itself,
-/// on the steps that follow.
+/// Takes the steps and measures them. Reading the clock in every stage takes time, so that the share of
+/// contact is measured by itself, on the steps that follow.
 fn own<R: Precision>(simulation: &mut Simulation<R>, steps: u32) -> Result<Own, Breakdown> {
     simulation.halo().meet();
     let remaps = simulation.state.remaps;

@@ -1,14 +1,16 @@
-//! How a case scales over processes: what was measured, and what a model of latency and bandwidth makes of it for more of them.
+//! How a case scales over processes: what was measured, and what a model of latency and bandwidth makes of it
+//! for more of them.
 //!
-//! A step takes what every process does for all (contact, bodies), its share of the cells with the ghost layers that it strains, and
-//! communication:
+//! A step takes what every process does for all (contact, bodies), its share of the cells with the ghost
+//! layers that it strains, and communication:
 //!
 //! T = T_contact + T_cells s + m (α + b/(m β)) + c α_c log₂ P + B/β
 //!
-//! with s the strained rows of the largest block over all rows, m messages of b bytes in all, c operations of all P processes together,
-//! B the bytes that these put into them, and latency α, bandwidth β and α_c of [`Network`]. T_contact and T_cells are those of one
-//! process, m, b, c and B those of the largest measured number of processes, per cut and per row at a cut. Cells are taken to be
-//! shared evenly. Communication counts in full, though most of that of a step is under way while there is something to compute.
+//! with s the strained rows of the largest block over all rows, m messages of b bytes in all, c operations of
+//! all P processes together, B the bytes that these put into them, and latency α, bandwidth β and α_c of
+//! [`Network`]. T_contact and T_cells are those of one process, m, b, c and B those of the largest measured
+//! number of processes, per cut and per row at a cut. Cells are taken to be shared evenly. Communication
+//! counts in full, though most of that of a step is under way while there is something to compute.
 
 use super::network::Network;
 use super::ranks::RankMeasurement;
@@ -46,7 +48,8 @@ pub struct Modelled {
     /// The portion of it that is communication.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strong_communication: Option<f64>,
-    /// Time of a step of a case so many times as large, in which each process has as many cells as the case [s].
+    /// Time of a step of a case so many times as large, in which each process has as many cells as the case
+    /// [s].
     pub weak_s: f64,
     /// The portion of it that is communication.
     pub weak_communication: f64,

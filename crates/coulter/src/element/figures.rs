@@ -49,7 +49,8 @@ pub struct KeyFigures {
     pub list: Vec<KeyFigure>,
 }
 
-/// How far below the largest stress counts as the peak: far more than the stresses scatter, which are controlled to 1e-7.
+/// How far below the largest stress counts as the peak: far more than the stresses scatter, which are
+/// controlled to 1e-7.
 const NEAR_PEAK: f64 = 1e-5;
 
 impl PathPoint {
@@ -65,7 +66,8 @@ impl PathPoint {
         -(-self.volumetric_strain).exp_m1()
     }
 
-    /// Mobilised friction angle without cohesion [rad]: of the largest and the smallest stress in triaxial tests.
+    /// Mobilised friction angle without cohesion [rad]: of the largest and the smallest stress in triaxial
+    /// tests.
     #[must_use]
     pub fn mobilised_angle(&self) -> f64 {
         ((self.vertical - self.lateral) / (self.vertical + self.lateral)).asin()

@@ -18,7 +18,8 @@ pub enum TestKind {
 }
 
 impl TestKind {
-    /// Whether the specimen is sheared up to a strain; otherwise it is compressed up to a pressure and unloaded.
+    /// Whether the specimen is sheared up to a strain; otherwise it is compressed up to a pressure and
+    /// unloaded.
     #[must_use]
     pub fn shears(self) -> bool {
         matches!(self, Self::Triaxial | Self::Shear)
@@ -34,9 +35,11 @@ pub struct Test {
     pub pressure: f64,
     /// Density at the start [kg/m³].
     pub density: f64,
-    /// Largest strain of triaxial and shear tests: axial strain over the initial height, below 1; engineering shear strain.
+    /// Largest strain of triaxial and shear tests: axial strain over the initial height, below 1; engineering
+    /// shear strain.
     pub largest_strain: f64,
-    /// Largest pressure [Pa] of oedometer and isotropic tests, from which the specimen is unloaded to the start.
+    /// Largest pressure [Pa] of oedometer and isotropic tests, from which the specimen is unloaded to the
+    /// start.
     pub largest_pressure: f64,
 }
 
@@ -95,8 +98,8 @@ pub struct Unsustained {
     pub k0: f64,
 }
 
-/// Largest strain increment. A quarter of this and of the next three changes no figure of sand by more than 0.7 %, but for the strain
-/// at a flat peak (1.5 %).
+/// Largest strain increment. A quarter of this and of the next three changes no figure of sand by more than
+/// 0.7 %, but for the strain at a flat peak (1.5 %).
 const INCREMENT: f64 = 1e-5;
 /// First strain increment, over that which would double the pressure at the start if the soil stayed elastic.
 const FIRST: f64 = 0.002;
@@ -198,7 +201,8 @@ fn compress(mut specimen: Specimen, test: &Test) -> Course {
     }
 }
 
-/// The specimen after a strain increment of a size; `None` where the stress of the test can no longer be held.
+/// The specimen after a strain increment of a size; `None` where the stress of the test can no longer be
+/// held.
 fn strained(specimen: &Specimen, test: &Test, size: f64) -> Option<Specimen> {
     let stress = -test.pressure;
     match test.kind {

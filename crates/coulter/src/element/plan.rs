@@ -68,8 +68,9 @@ const PRESSURES: [f64; 2] = [1.0, 1e10];
 const STRAINS: [f64; 2] = [0.5, 5.0];
 
 impl Plan {
-    /// The usual plan for a soil: frictional soil is sheared at 1, 10 and 100 kPa and compressed from 1 to 100 kPa; soil whose strength does
-    /// not depend on the pressure is sheared at a pressure of its shear strength, and compressed up to ten times that.
+    /// The usual plan for a soil: frictional soil is sheared at 1, 10 and 100 kPa and compressed from 1 to
+    /// 100 kPa; soil whose strength does not depend on the pressure is sheared at a pressure of its shear
+    /// strength, and compressed up to ten times that.
     #[must_use]
     pub fn usual(kind: TestKind, soil: &Soil) -> Self {
         let strength = soil.law.cohesion().filter(|_| soil.law.friction_angle().is_none());
@@ -91,7 +92,8 @@ impl Plan {
     /// Tests the soil of a case.
     ///
     /// # Errors
-    /// When the soil is elastic, a number of the plan is out of range, or a specimen cannot be at its initial state.
+    /// When the soil is elastic, a number of the plan is out of range, or a specimen cannot be at its initial
+    /// state.
     pub fn run(&self, case: &str, soil: &Soil) -> Result<ElementTests, ElementError> {
         if soil.law == Law::Elastic {
             let young = stress(soil.young_modulus);

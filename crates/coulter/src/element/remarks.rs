@@ -7,7 +7,8 @@ use super::tested::Tested;
 use case::resolved::{Law, Sand, Soil};
 use std::collections::BTreeMap;
 
-/// Mean pressure from which grains of sand are crushed [Pa] (chosen: quartz sands bend in the oedometer from some 1 MPa on).
+/// Mean pressure from which grains of sand are crushed [Pa] (chosen: quartz sands bend in the oedometer from
+/// some 1 MPa on).
 const CRUSHING: f64 = 5e5;
 
 /// What a reader should know about tests of a soil.

@@ -105,8 +105,8 @@ impl Specimen {
         self.material.stiffening().map_or(elastic, |stiffening| stiffening.moduli(elastic, -mean(stress)))
     }
 
-    /// The same after a small strain increment of which a portion is free, so that a stress is held; `None` where no such strain was
-    /// found: the specimen fails.
+    /// The same after a small strain increment of which a portion is free, so that a stress is held; `None`
+    /// where no such strain was found: the specimen fails.
     #[must_use]
     pub fn strained_under(&self, increment: Symmetric, held: &Held) -> Option<Self> {
         let moved = |strain: f64| {
@@ -139,8 +139,9 @@ impl Specimen {
     }
 }
 
-/// Two strains between which a residual [Pa] changes its sign, each with its residual. The search begins at no strain, where the
-/// residual is `first`, with a step that a modulus [Pa] asks for. `None` if there are none.
+/// Two strains between which a residual [Pa] changes its sign, each with its residual. The search begins at
+/// no strain, where the residual is `first`, with a step that a modulus [Pa] asks for. `None` if there are
+/// none.
 fn bracket(first: f64, modulus: f64, residual: impl Fn(f64) -> f64) -> Option<([f64; 2], [f64; 2])> {
     let mut last = [0.0, first];
     let mut step = -first / modulus;

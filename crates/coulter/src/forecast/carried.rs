@@ -1,9 +1,10 @@
-//! The bodies of a case that touch the soil, each as if it moved by itself: what joints, welds and frames mean for the closed forms.
+//! The bodies of a case that touch the soil, each as if it moved by itself: what joints, welds and frames
+//! mean for the closed forms.
 
 use case::resolved::{Body, Case, Motion};
 
-/// The bodies with a surface, what is welded together one by one. One that joints guide moves as its carrier does, and the weight of
-/// all that is connected is shared equally among the surfaces that bear it.
+/// The bodies with a surface, what is welded together one by one. One that joints guide moves as its carrier
+/// does, and the weight of all that is connected is shared equally among the surfaces that bear it.
 pub(super) fn touching(case: &Case, remarks: &mut Vec<String>) -> Vec<Body> {
     let groups = groups(case);
     let mut said = Vec::new();

@@ -5,8 +5,8 @@ use case::tow::squared;
 use glam::DQuat;
 use std::f64::consts::FRAC_PI_2;
 
-/// The bodies turned about z, with their places, until the tow is along x; as they are where they are not towed sideways, or not all in
-/// one direction.
+/// The bodies turned about z, with their places, until the tow is along x; as they are where they are not
+/// towed sideways, or not all in one direction.
 pub(super) fn along_the_tow(bodies: Vec<Body>, remarks: &mut Vec<String>) -> Vec<Body> {
     let Some(angle) = angle(&bodies) else { return bodies };
     remarks.push(format!(
@@ -16,8 +16,8 @@ pub(super) fn along_the_tow(bodies: Vec<Body>, remarks: &mut Vec<String>) -> Vec
     bodies.into_iter().map(|body| turned(body, angle)).collect()
 }
 
-/// The angle from x of the tow of all bodies [rad]; `None` where none is towed sideways, or not all in one direction. Of a tow along y
-/// that is not at a given speed it is that of y, whichever way the body goes.
+/// The angle from x of the tow of all bodies [rad]; `None` where none is towed sideways, or not all in one
+/// direction. Of a tow along y that is not at a given speed it is that of y, whichever way the body goes.
 fn angle(bodies: &[Body]) -> Option<f64> {
     let first = bodies.first()?;
     let is_still = |motion: &Motion| matches!(motion, Motion::Fixed | Motion::Prescribed { speed: 0.0, .. });

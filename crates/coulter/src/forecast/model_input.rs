@@ -1,4 +1,5 @@
-//! A case as input of the closed-form models: one body, or a row of equal discs, in level soil of Mohr and Coulomb or in clay.
+//! A case as input of the closed-form models: one body, or a row of equal discs, in level soil of Mohr and
+//! Coulomb or in clay.
 
 use super::carried::touching;
 use super::direction::along_the_tow;
@@ -314,7 +315,8 @@ fn load(
     Ok(Load::Sinkage(deepest))
 }
 
-/// How a body is driven, as far as its models know: one that cannot roll, or moves straight down or up, is locked.
+/// How a body is driven, as far as its models know: one that cannot roll, or moves straight down or up, is
+/// locked.
 fn drive_of(towed: &Towed, body: &Body, course: Course) -> Result<Drive, String> {
     Ok(match body {
         _ if matches!(course, Course::Pressed | Course::Raised) => Drive::Locked,

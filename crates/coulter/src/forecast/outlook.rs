@@ -71,15 +71,16 @@ impl Outlook {
         self.forecast.models.iter().find(|m| Some(m.model) == self.forecast.recommended)
     }
 
-    /// The best model that applies: the recommended one, or one that is not recommended for want of a good record.
+    /// The best model that applies: the recommended one, or one that is not recommended for want of a good
+    /// record.
     #[must_use]
     pub fn best(&self) -> Option<&ModelForecast> {
         let best = analytic::forecast::best(&self.input.towing, &self.forecast.models);
         self.forecast.models.iter().find(|m| Some(m.model) == best)
     }
 
-    /// Moments of the soil about x, y, z [N m] that a model predicts for the body itself: of one that is towed backwards the models are
-    /// given the mirror image about x = 0.
+    /// Moments of the soil about x, y, z [N m] that a model predicts for the body itself: of one that is
+    /// towed backwards the models are given the mirror image about x = 0.
     #[must_use]
     pub fn moment(&self, model: &ModelForecast) -> Option<[f64; 3]> {
         let [x, y, z] = model.prediction?.moment?;

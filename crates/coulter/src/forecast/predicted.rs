@@ -1,12 +1,13 @@
-//! The quantities that closed-form models predict, each declared here: from these follow the entries of the document, the numbers of
-//! `models.csv`, the closed forms in tables of studies, and what Python is given.
+//! The quantities that closed-form models predict, each declared here: from these follow the entries of the
+//! document, the numbers of `models.csv`, the closed forms in tables of studies, and what Python is given.
 
 use super::outlook::Outlook;
 use analytic::forecast::ModelForecast;
 
 type Answer = fn(&Outlook, &ModelForecast) -> Option<f64>;
 
-/// A quantity that models predict. One that a run has, too, has the same name there: see `history::quantities`.
+/// A quantity that models predict. One that a run has, too, has the same name there: see
+/// `history::quantities`.
 #[derive(Debug)]
 pub struct Predicted {
     /// Its name, such as `vertical`.

@@ -1,4 +1,5 @@
-//! Variables and their values as typed on the command line: `Z=0.02..0.4`, `soil.friction_angle="30 deg".."45 deg"`.
+//! Variables and their values as typed on the command line: `Z=0.02..0.4`, `soil.friction_angle="30 deg".."45
+//! deg"`.
 
 use super::model_input::ModelInput;
 use super::variable::{Variable, find, variables};

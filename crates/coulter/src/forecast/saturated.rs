@@ -46,7 +46,8 @@ impl BladeUnderWater {
     }
 }
 
-/// The front of a body whose facets that face forwards lie in one plane across the tow, as high as the body; and its mean width [m].
+/// The front of a body whose facets that face forwards lie in one plane across the tow, as high as the body;
+/// and its mean width [m].
 fn plane_front(body: &FacetedBody) -> Option<(Front, f64)> {
     /// Normals that differ by less are the same.
     const SAME: f64 = 1e-6;

@@ -17,7 +17,8 @@ const POINTS_ACROSS: f64 = 40.0;
 /// Upper limit of diameter times length over the spacing squared.
 const MAX_POINTS: f64 = 2000.0;
 
-/// The bodies that touch the soil: one, or several equal discs side by side, which form an assembly on one axle.
+/// The bodies that touch the soil: one, or several equal discs side by side, which form an assembly on one
+/// axle.
 ///
 /// # Errors
 /// If there are several that are not equal discs, evenly spaced side by side.
@@ -181,8 +182,8 @@ pub(super) fn body(
     Ok((represented, kind))
 }
 
-/// Whether a lying cylinder is a pipe: in plane strain, or a long one that is pulled up or lies on clay, where more is known of pipes than
-/// of discs.
+/// Whether a lying cylinder is a pipe: in plane strain, or a long one that is pulled up or lies on clay,
+/// where more is known of pipes than of discs.
 fn is_pipe(case: &Case, course: Course, diameter: f64, length: f64) -> bool {
     let is_clay = matches!(case.soil.law, Law::Tresca(_) | Law::VonMises(_));
     case.domain.plane_strain || (length >= LONG * diameter && (is_clay || course == Course::Raised))

@@ -95,8 +95,8 @@ pub struct Interval {
     pub middle: f64,
     /// The value that 95 % lie below.
     pub high: f64,
-    /// First-order Sobol index by input, in the order that they were stated; then that of the error of the model, and for a driven body
-    /// that of the error of its thrust.
+    /// First-order Sobol index by input, in the order that they were stated; then that of the error of the
+    /// model, and for a driven body that of the error of its thrust.
     pub first_order: Vec<f64>,
     /// Total Sobol index by input, likewise.
     pub total: Vec<f64>,
@@ -122,14 +122,15 @@ pub struct Intervals {
 pub enum Effort {
     /// Enough for an interval to about 1 %, immediately.
     Quick,
-    /// Enough for Sobol indices as well: to about 0.005 for fast models, 0.03 for those that sum over the rim every time.
+    /// Enough for Sobol indices as well: to about 0.005 for fast models, 0.03 for those that sum over the rim
+    /// every time.
     Full,
 }
 
 impl Effort {
-    /// Resistive force theory and Wong and Reece's wheel take a millisecond per evaluation, Godwin and Spoor's blade, which
-    /// solves a stress field, a third of that, the others some microseconds; the wedge of a disc without a table solves many
-    /// fields and takes ten milliseconds.
+    /// Resistive force theory and Wong and Reece's wheel take a millisecond per evaluation, Godwin and
+    /// Spoor's blade, which solves a stress field, a third of that, the others some microseconds; the wedge
+    /// of a disc without a table solves many fields and takes ten milliseconds.
     fn evaluations(self, model: Candidate, has_table: bool, drives: bool) -> usize {
         let is_slow = matches!(
             model,
@@ -154,8 +155,9 @@ impl Effort {
     }
 }
 
-/// Standard deviations that are assumed where none is stated: of the friction angle that of a careful laboratory; of the friction
-/// on the body and of the undrained shear strength (as a fraction) a usual scatter of published values.
+/// Standard deviations that are assumed where none is stated: of the friction angle that of a careful
+/// laboratory; of the friction on the body and of the undrained shear strength (as a fraction) a usual
+/// scatter of published values.
 const USUAL: (&str, f64, f64) = ("2 deg", 0.1, 0.2);
 
 /// The standard deviations that are assumed where none is stated.
@@ -177,8 +179,8 @@ fn usual(input: &ModelInput) -> Vec<InputDeviation> {
         .collect()
 }
 
-/// Propagates the stated standard deviations, or the assumed ones, and the error of the model itself through every model that applies; a model that has no
-/// answer is left out.
+/// Propagates the stated standard deviations, or the assumed ones, and the error of the model itself through
+/// every model that applies; a model that has no answer is left out.
 #[must_use]
 pub fn intervals(outlook: &Outlook, stated: Vec<InputDeviation>, effort: Effort) -> Intervals {
     let input = &outlook.input;
@@ -193,7 +195,8 @@ pub fn intervals(outlook: &Outlook, stated: Vec<InputDeviation>, effort: Effort)
         let model_error = model.model.log_error(&input.towing);
         let own = Distribution::LogNormal { median: 1.0, log_deviation: model_error };
         let mut all = [&distributions[..], &[(Parameter::ResistanceFactor, own)]].concat();
-        // The drag of what is driven is a small difference: its error is not a part of it, but that of either term.
+        // The drag of what is driven is a small difference: its error is not a part of it, but that of either
+        // term.
         if input.towing.drive.drives() {
             all.push((Parameter::ThrustFactor, own));
         }
@@ -223,8 +226,8 @@ impl Intervals {
 
 /// The distribution of one quantity whose value is that of the forecast.
 ///
-/// The interval is widened to the value itself: where samples have no answer and are left out, the quantiles are those of the
-/// rest and need not contain it.
+/// The interval is widened to the value itself: where samples have no answer and are left out, the quantiles
+/// are those of the rest and need not contain it.
 fn interval(
     quantity: &'static str,
     (model, model_error): (&'static str, f64),

@@ -1,4 +1,5 @@
-//! What water does to the forecast: whether it can follow, the suction where it cannot, and its drag on the bodies.
+//! What water does to the forecast: whether it can follow, the suction where it cannot, and its drag on the
+//! bodies.
 
 use super::model_input::ModelInput;
 use super::saturated::{BladeUnderWater, PloughUnderWater};
@@ -23,9 +24,11 @@ pub struct UnderWater {
     pub drainage_number: Option<f64>,
     /// Drag of the water on all bodies at this speed [N].
     pub drag: f64,
-    /// The models with a third of the suction, with it and with three times as much; `None` where the water follows freely.
+    /// The models with a third of the suction, with it and with three times as much; `None` where the water
+    /// follows freely.
     pub suction: Option<[Suction; 3]>,
-    /// The body as a blade that cuts saturated sand; `None` for one without a plane front, and where the water follows freely.
+    /// The body as a blade that cuts saturated sand; `None` for one without a plane front, and where the
+    /// water follows freely.
     pub blade: Option<BladeUnderWater>,
     /// The tow force of a plough, if the case has its coefficients.
     pub plough: Option<PloughUnderWater>,
@@ -35,7 +38,8 @@ impl UnderWater {
     /// Of a case whose models have this input; `None` on dry ground.
     ///
     /// # Errors
-    /// In words, where the soil contracts faster than its water can leave, or no model has an answer with suction.
+    /// In words, where the soil contracts faster than its water can leave, or no model has an answer with
+    /// suction.
     pub(super) fn of(case: &Case, input: &ModelInput) -> Result<Option<Self>, String> {
         let Some(water) = case.water else {
             let message =

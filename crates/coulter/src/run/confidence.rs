@@ -1,4 +1,5 @@
-//! A case and its variations: the case first, whose cost tells what the variations will take, then those that the budget allows.
+//! A case and its variations: the case first, whose cost tells what the variations will take, then those that
+//! the budget allows.
 
 use super::options::{End, RunError, RunOptions, Start};
 use super::part::Part;
@@ -22,8 +23,8 @@ pub enum Budget {
 }
 
 impl Default for Budget {
-    /// Enough for all variations of most cases: two coarser meshes take a quarter of the case's own time, half the speed twice, the
-    /// other precision once, and a larger domain up to twice.
+    /// Enough for all variations of most cases: two coarser meshes take a quarter of the case's own time,
+    /// half the speed twice, the other precision once, and a larger domain up to twice.
     fn default() -> Self {
         Self::Times(6.0)
     }
@@ -52,10 +53,11 @@ const SINGLE: f64 = 0.67;
 
 /// Runs a case and its variations, and writes its results with the intervals that follow from all of them.
 ///
-/// The case's own results lie in the folder as those of [`super::run`], and those of the variations below it in `variations`. A
-/// variation is run if the time that is predicted for it, from that of the case's own run, fits into what is left of the budget;
-/// otherwise it is reported as not examined. With [`Start::Resume`] and [`Start::AutoResume`] runs that have come to their end are left
-/// unchanged, the one that was stopped is resumed, and a larger budget examines what was left out.
+/// The case's own results lie in the folder as those of [`super::run`], and those of the variations below it
+/// in `variations`. A variation is run if the time that is predicted for it, from that of the case's own run,
+/// fits into what is left of the budget; otherwise it is reported as not examined. With [`Start::Resume`] and
+/// [`Start::AutoResume`] runs that have come to their end are left unchanged, the one that was stopped is
+/// resumed, and a larger budget examines what was left out.
 ///
 /// # Errors
 /// As [`super::run`]; [`RunError::Physics`] only where the case itself breaks down.
@@ -209,7 +211,8 @@ fn run_variation(
     options: &RunOptions,
 ) -> Result<Option<End>, RunError> {
     let folder = variation_folder(options.folder, &variation.name)?;
-    // What lies there after a budget that was smaller, or a version that varied it otherwise, is no longer of use.
+    // What lies there after a budget that was smaller, or a version that varied it otherwise, is no longer of
+    // use.
     let is_other = matches!(ended_before(&variation.case, &folder), Err(RunError::OtherCase(_)));
     let start = if is_other { Start::Replace } else { options.start };
     let own = RunOptions { folder: &folder, typed: &variation.typed, warnings: &[], start, ..*options };

@@ -1,4 +1,5 @@
-//! A case on several meshes: the runs on the coarser ones first, whose answers come early, then that on its own.
+//! A case on several meshes: the runs on the coarser ones first, whose answers come early, then that on its
+//! own.
 
 use super::options::{End, RunError, RunOptions, Start};
 use super::part::Part;
@@ -11,9 +12,10 @@ use results::progress;
 
 /// Runs a case on its own mesh and on coarser ones, and writes its results with the study of all of them.
 ///
-/// The case's own results lie in the folder as those of [`super::run`], whose summary and report have the study as well, and those of
-/// the coarser meshes below it in `meshes`. With [`Start::Resume`] and [`Start::AutoResume`] runs that have come to their end are left
-/// unchanged, and the one that was stopped is resumed. A coarser run that breaks down does not keep the others from running.
+/// The case's own results lie in the folder as those of [`super::run`], whose summary and report have the
+/// study as well, and those of the coarser meshes below it in `meshes`. With [`Start::Resume`] and
+/// [`Start::AutoResume`] runs that have come to their end are left unchanged, and the one that was stopped is
+/// resumed. A coarser run that breaks down does not keep the others from running.
 ///
 /// # Errors
 /// As [`super::run`]; [`RunError::Physics`] only where the case breaks down on its own mesh.
@@ -42,8 +44,8 @@ pub fn run_meshes(case: &Case, coarser: &[CoarserMesh], options: &RunOptions) ->
     run_locked(case, &RunOptions { start, ..*options }, &part)
 }
 
-/// Whether the run on the case's own mesh has come to its end. One that broke down is run again from its last checkpoint if a
-/// person asks for that, as without a study.
+/// Whether the run on the case's own mesh has come to its end. One that broke down is run again from its last
+/// checkpoint if a person asks for that, as without a study.
 fn has_ended(case: &Case, options: &RunOptions) -> Result<bool, RunError> {
     match ended_before(case, options.folder) {
         Err(RunError::BrokeDownBefore { .. }) if options.start == Start::Resume => Ok(false),

@@ -1,4 +1,5 @@
-//! A run from case to results: the loop of the simulation with those who write its results, and the report at its end.
+//! A run from case to results: the loop of the simulation with those who write its results, and the report at
+//! its end.
 
 mod confidence;
 mod meshes;
@@ -133,8 +134,8 @@ fn give_up(halo: &Halo, error: &RunError) {
     }
 }
 
-/// The loop of the run, in the order in which its observers are told of a sample. The state is written before anything else
-/// that the end of the run leaves: all that can be rebuilt from it.
+/// The loop of the run, in the order in which its observers are told of a sample. The state is written before
+/// anything else that the end of the run leaves: all that can be rebuilt from it.
 fn observed<R: Precision>(
     simulation: &mut Simulation<R>,
     (fields, results): (&mut FieldSeries, Option<&mut Results>),
@@ -158,8 +159,8 @@ fn observed<R: Precision>(
     Ok(stop)
 }
 
-/// Writes what the end of a run leaves, also of one that broke down or was stopped; one that was stopped leaves no fields of the time
-/// at which it was.
+/// Writes what the end of a run leaves, also of one that broke down or was stopped; one that was stopped
+/// leaves no fields of the time at which it was.
 fn conclude<R: Precision>(
     simulation: &Simulation<R>,
     stop: &Stop,

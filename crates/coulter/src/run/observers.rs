@@ -1,4 +1,5 @@
-//! Those who observe a run on behalf of its results folder. Each knows one thing; what they share is in the folder.
+//! Those who observe a run on behalf of its results folder. Each knows one thing; what they share is in the
+//! folder.
 
 use super::options::Follower;
 use super::watch::watch;
@@ -58,7 +59,8 @@ impl<R: Precision> Observer<R> for Fields<'_> {
     }
 }
 
-/// Tells a follower. It comes after those who write at a sample, so that one at which it stops the run is complete.
+/// Tells a follower. It comes after those who write at a sample, so that one at which it stops the run is
+/// complete.
 pub(super) struct Followed<'a>(pub(super) &'a mut dyn Follower);
 
 impl<R: Precision> Observer<R> for Followed<'_> {

@@ -20,8 +20,8 @@ pub enum Start {
     Replace,
     /// Continue it from its last checkpoint; start if there is none.
     Resume,
-    /// The same, for schedulers: a finished run is left unchanged, unreadable checkpoints lead to a new start, and a lock is
-    /// waited for up to a minute.
+    /// The same, for schedulers: a finished run is left unchanged, unreadable checkpoints lead to a new
+    /// start, and a lock is waited for up to a minute.
     AutoResume,
 }
 
@@ -50,10 +50,11 @@ pub fn alone() -> Box<dyn Communicator> {
     Box::new(Alone::default())
 }
 
-/// Who follows a run by its samples, whatever its precision: the caller of [`run_followed`](super::run_followed).
+/// Who follows a run by its samples, whatever its precision: the caller of
+/// [`run_followed`](super::run_followed).
 pub trait Follower {
-    /// The history has a new sample, the last one of each of its lists, and the tables and fields of the folder are up to it. The run
-    /// waits meanwhile.
+    /// The history has a new sample, the last one of each of its lists, and the tables and fields of the
+    /// folder are up to it. The run waits meanwhile.
     fn sampled(&mut self, history: &History) -> Next;
 }
 

@@ -24,7 +24,8 @@ impl Processes {
         self.communicator
     }
 
-    /// Does what only the first process may do, such as to lock a folder, while the others wait; they have no result.
+    /// Does what only the first process may do, such as to lock a folder, while the others wait; they have no
+    /// result.
     ///
     /// # Errors
     /// That of the first process; in the others [`RunError::Elsewhere`].

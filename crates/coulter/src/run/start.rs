@@ -59,8 +59,9 @@ fn same_case(case: &Case, record: &RunRecord, folder: &Path) -> Result<(), RunEr
     Err(RunError::OtherCase(folder.to_path_buf()))
 }
 
-/// Prepares a folder for a mesh study: clears it if it is to be replaced, and records the case before any mesh is run, so that
-/// the folder is known for what it is. Whether the run on the case's own mesh starts anew.
+/// Prepares a folder for a mesh study: clears it if it is to be replaced, and records the case before any
+/// mesh is run, so that the folder is known for what it is. Whether the run on the case's own mesh starts
+/// anew.
 pub(super) fn begin_study(case: &Case, meshes: &[String], options: &RunOptions) -> Result<bool, RunError> {
     let folder = options.folder;
     if matches!(options.start, Start::Resume | Start::AutoResume) {
@@ -119,7 +120,8 @@ pub(super) fn open<R: Precision>(
     }
 }
 
-/// The last checkpoint that all processes can read, and what is wrong with the last of all, if it is not that.
+/// The last checkpoint that all processes can read, and what is wrong with the last of all, if it is not
+/// that.
 fn read_checkpoint<R: Precision>(
     case: &Case,
     grid: &Grid,
@@ -227,7 +229,8 @@ fn log_start<R: Precision>(
     Ok(())
 }
 
-/// Adds the closed forms to the plots. Where they do not apply the log says why; the run does not depend on them.
+/// Adds the closed forms to the plots. Where they do not apply the log says why; the run does not depend on
+/// them.
 fn overlay_forecast(case: &Case, results: &mut Results) -> Result<(), OutputError> {
     match overlays(case) {
         Ok(overlays) => results.overlay(overlays),

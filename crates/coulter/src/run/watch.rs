@@ -22,7 +22,8 @@ const FATAL_BALANCE_ERROR: f64 = 0.5;
 /// Stops a run that can no longer become valid.
 ///
 /// # Errors
-/// [`Breakdown::Untrustworthy`] when the energy balance or the soil at the lid is beyond its limit for several samples.
+/// [`Breakdown::Untrustworthy`] when the energy balance or the soil at the lid is beyond its limit for
+/// several samples.
 pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> {
     let Simulation { model, state, history, .. } = simulation;
     let broken = |what: String, cure: &str, at: DVec3| {
@@ -77,8 +78,8 @@ fn fatal_balance_error(energy: &[EnergySample], setting: &Setting) -> Option<f64
     (least > FATAL_BALANCE_ERROR).then_some(least)
 }
 
-/// Least force on the lid over the largest recent force on the bodies [%], if it is beyond the limit in all of the last
-/// samples; `least` is a force that means anything [N].
+/// Least force on the lid over the largest recent force on the bodies [%], if it is beyond the limit in all
+/// of the last samples; `least` is a force that means anything [N].
 fn pressed_lid(history: &History, least: f64) -> Option<f64> {
     let count = history.boundaries.len();
     let force = latest(&history.boundaries)?.iter().map(|b| b.lid_force).fold(f64::INFINITY, f64::min);

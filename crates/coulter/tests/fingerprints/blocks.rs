@@ -1,4 +1,5 @@
-//! Runs of every kind on a grid in blocks, each on its own thread: the same bits, and the same history in each block.
+//! Runs of every kind on a grid in blocks, each on its own thread: the same bits, and the same history in
+//! each block.
 
 use super::quantities;
 use super::set_ups::{SET_UPS, SetUp};

@@ -1,11 +1,13 @@
-//! Fingerprints of short runs of every kind: a change that is meant to leave the physics alone leaves all of them alone.
+//! Fingerprints of short runs of every kind: a change that is meant to leave the physics alone leaves all of
+//! them alone.
 //!
-//! `fingerprints.txt` holds one line per set-up and quantity: the hash of all its values to the bit, cell by cell in the
-//! order of the grid, whatever the layout of the memory. `COULTER_UPDATE_FINGERPRINTS=1 cargo test -p coulter --release --test
-//! fingerprints` rewrites it, for a commit that says which arithmetic changed and why.
+//! `fingerprints.txt` holds one line per set-up and quantity: the hash of all its values to the bit, cell by
+//! cell in the order of the grid, whatever the layout of the memory. `COULTER_UPDATE_FINGERPRINTS=1 cargo
+//! test -p coulter --release --test fingerprints` rewrites it, for a commit that says which arithmetic
+//! changed and why.
 //!
-//! Sines and logarithms come from the system's library and may differ in their last bit from one system to the next. The
-//! first line is a fingerprint of that library; where it differs, nothing else is compared.
+//! Sines and logarithms come from the system's library and may differ in their last bit from one system to
+//! the next. The first line is a fingerprint of that library; where it differs, nothing else is compared.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod blocks;

@@ -1,4 +1,5 @@
-//! Sand whose density grows with depth: its mass and weight follow, it rests, enters a grid that travels, and stays within its limits.
+//! Sand whose density grows with depth: its mass and weight follow, it rests, enters a grid that travels, and
+//! stays within its limits.
 use super::{SAND, complaints, fastest, read, run};
 use coulter::simulation::Simulation;
 use solver::fields::PRECONSOLIDATION;
@@ -74,7 +75,8 @@ fn what_enters_a_grid_is_as_dense_as_its_place() {
         &[],
     )
     .unwrap();
-    // Where nothing has moved little is compacted: by the elastic strain ahead of the block, at a modulus of some 0.5 MPa.
+    // Where nothing has moved little is compacted: by the elastic strain ahead of the block, at a modulus of
+    // some 0.5 MPa.
     let undisturbed = map.column(map.centres[0].len() - 1, 0);
     assert!(undisturbed.compaction.abs() < 5e-4, "{undisturbed:?}");
 }

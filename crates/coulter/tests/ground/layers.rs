@@ -1,5 +1,5 @@
-//! Ground in layers: it rests, each layer has its own soil, a body that is towed meets the same ground everywhere, and what cannot be
-//! layered is refused.
+//! Ground in layers: it rests, each layer has its own soil, a body that is towed meets the same ground
+//! everywhere, and what cannot be layered is refused.
 use super::{SAND, fastest, read};
 use coulter::simulation::Simulation;
 

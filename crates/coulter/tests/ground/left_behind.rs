@@ -1,4 +1,5 @@
-//! The ground that a body leaves behind: the books of rut, berms and compaction close, and the sections agree with the whole.
+//! The ground that a body leaves behind: the books of rut, berms and compaction close, and the sections agree
+//! with the whole.
 use super::{SAND, read};
 use coulter::output::fields::{HeightMap, ruts};
 use solver::halo::Halo;

@@ -1,4 +1,5 @@
-//! Ground on a slope: soil at rest stays at rest, bodies are drawn downhill, and what the slope contradicts is refused.
+//! Ground on a slope: soil at rest stays at rest, bodies are drawn downhill, and what the slope contradicts
+//! is refused.
 use super::{SAND, fastest, read, run};
 use coulter::case::Case;
 

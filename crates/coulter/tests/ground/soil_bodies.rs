@@ -1,4 +1,5 @@
-//! Bodies of other soil in the ground: their volume, their soil, heaps above the surface, and what is refused.
+//! Bodies of other soil in the ground: their volume, their soil, heaps above the surface, and what is
+//! refused.
 use super::{SAND, complaints, fastest, read};
 use coulter::simulation::Simulation;
 use std::f64::consts::PI;

@@ -1,5 +1,5 @@
-//! Undrained strength that grows with depth, is lost by remoulding and grows with the rate: where it is at the start, what enters a grid
-//! that travels, what friction it admits, and what is refused.
+//! Undrained strength that grows with depth, is lost by remoulding and grows with the rate: where it is at
+//! the start, what enters a grid that travels, what friction it admits, and what is refused.
 use super::{fastest, read};
 use coulter::forecast::outlook;
 use coulter::simulation::Simulation;
@@ -16,7 +16,8 @@ fn text(soil: &str, rest: &str) -> String {
     )
 }
 
-/// Whether the intact clay in a column of cells has the strength [kPa] that is expected at the depth of each [m].
+/// Whether the intact clay in a column of cells has the strength [kPa] that is expected at the depth of each
+/// [m].
 fn is_strong(simulation: &Simulation, [i, j]: [usize; 2], expected: impl Fn(f64) -> f64) {
     let (grid, soil) = (&simulation.model.grid, &simulation.state.soil);
     for k in 0..grid.cells()[2] {
@@ -53,10 +54,11 @@ fn the_clay_that_enters_in_front_has_the_same_strength_and_the_one_behind_is_rem
     assert!(simulation.state.grid_position.x > 0.08);
     let ahead = simulation.model.grid.cells()[0] - 1;
     is_strong(&simulation, [ahead, 0], |depth| 1.0 + 20.0 * depth);
-    // Friction is limited by half of the strength of the clay at each point, which is less where it is remoulded.
-    // Some points, behind the block, have no clay next to them.
+    // Friction is limited by half of the strength of the clay at each point, which is less where it is
+    // remoulded. Some points, behind the block, have no clay next to them.
     let contacts = &simulation.state.contacts;
-    // The limit counts for what a point represents: here faces are 1.5 to 1.56 times as large as the area round their points.
+    // The limit counts for what a point represents: here faces are 1.5 to 1.56 times as large as the area
+    // round their points.
     let limits: Vec<f64> =
         contacts.iter().map(|contact| contact.shear_limit / 1.5).filter(|limit| *limit > 0.0).collect();
     assert!(5 * limits.len() > 4 * contacts.len(), "{} of {}", limits.len(), contacts.len());

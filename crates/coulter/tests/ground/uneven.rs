@@ -1,4 +1,5 @@
-//! Ground that is not level: furrows and height maps rest, are no ruts, enter a grid that travels, and are refused where they cannot be.
+//! Ground that is not level: furrows and height maps rest, are no ruts, enter a grid that travels, and are
+//! refused where they cannot be.
 use super::{SAND, complaints, fastest, read, run};
 use coulter::case::{self, Case};
 use coulter::output::fields::HeightMap;
@@ -36,7 +37,8 @@ fn map(height: impl Fn(f64, f64) -> f64) -> String {
     text
 }
 
-/// Mass of the soil, kinetic energy at its largest and largest change of the height of a column in a run [kg, J, m].
+/// Mass of the soil, kinetic energy at its largest and largest change of the height of a column in a run [kg,
+/// J, m].
 fn settled(case: &Case) -> [f64; 3] {
     let mut simulation = Simulation::new(case);
     let grid = simulation.model.grid.clone();
@@ -92,7 +94,8 @@ fn the_volume_below_an_uneven_surface_is_that_of_its_integral() {
         simulation.state.energy_balance.volume_start
     };
     let plain = 0.4 * 0.08 * 0.1;
-    // Two whole furrows, in either section: their mean is the level surface. Along x they run straight through.
+    // Two whole furrows, in either section: their mean is the level surface. Along x they run straight
+    // through.
     for more in [
         "",
         "section = \"triangular\"\n",

@@ -1,4 +1,5 @@
-//! Ground under water: submerged weights of soil and bodies, the drag of the water, what is refused, and the forecast with suction.
+//! Ground under water: submerged weights of soil and bodies, the drag of the water, what is refused, and the
+//! forecast with suction.
 use super::{SAND, fastest, read};
 use coulter::case::Case;
 use coulter::forecast::outlook;

@@ -93,7 +93,8 @@ fn the_rim_bears_what_the_body_bears() {
     }
 }
 
-/// Over the first five millimetres, after which the noise of a force on two cells of half a width differs between the two.
+/// Over the first five millimetres, after which the noise of a force on two cells of half a width differs
+/// between the two.
 #[test]
 fn half_a_model_has_the_rim_of_the_whole_one() {
     let dir = tempfile::tempdir().unwrap();
@@ -159,7 +160,8 @@ fn the_faces_of_a_block_are_told_apart() {
     let force = |is_there: &dyn Fn(f64, f64) -> bool, name: &str| {
         sum(&table, |l| if is_there(l("x"), l("z")) { l(name) } else { 0.0 })
     };
-    // The front bears the drag but for friction below and at the sides, the bottom most of the vertical force.
+    // The front bears the drag but for friction below and at the sides, the bottom most of the vertical
+    // force.
     let (front, below) = (force(&|x, _| x > 0.0499, "drag"), force(&|_, z| z < -0.0499, "vertical"));
     assert!(front > 0.25 * rim.drag.unwrap() && below > 0.5 * rim.vertical.unwrap(), "{front} {below}");
     assert_eq!(force(&|x, _| x < -0.0499, "normal stress"), 0.0, "nothing presses from behind");
@@ -169,8 +171,8 @@ fn the_faces_of_a_block_are_told_apart() {
     assert!(force(&|x, z| z < -0.0499 && x.abs() > 0.05 - 0.0125, "normal stress") > 0.0);
 }
 
-/// In plane strain the margins along the edges of a body lie beside the slab: what the points of the base represent is the base, and
-/// a rough base that is dragged over clay bears α s_u of it.
+/// In plane strain the margins along the edges of a body lie beside the slab: what the points of the base
+/// represent is the base, and a rough base that is dragged over clay bears α s_u of it.
 #[test]
 fn in_plane_strain_the_base_is_as_large_as_it_is() {
     let changes = [
@@ -194,8 +196,8 @@ fn in_plane_strain_the_base_is_as_large_as_it_is() {
     assert!((area - 1.0).abs() < 1e-9, "{area} m² of 1 m²");
 }
 
-/// Prandtl (1920): a smooth strip on undrained soil bears (2 + π) s_u at every point. Contact points beside each other bear 20 and 180 %
-/// of it; their nodes do not.
+/// Prandtl (1920): a smooth strip on undrained soil bears (2 + π) s_u at every point. Contact points beside
+/// each other bear 20 and 180 % of it; their nodes do not.
 #[test]
 fn a_footing_bears_the_same_at_every_point() {
     let dir = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! A made-up case: nothing here was simulated. A rut and berms shaped by a formula, histories that look like a tow.
+//! A made-up case: nothing here was simulated. A rut and berms shaped by a formula, histories that look like
+//! a tow.
 
 use coulter::case::Case;
 use coulter::case::relief::Relief;

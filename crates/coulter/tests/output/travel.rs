@@ -1,4 +1,5 @@
-//! The output of a grid that travels after a body: ground coordinates, no ghost layers, and the ground left behind.
+//! The output of a grid that travels after a body: ground coordinates, no ghost layers, and the ground left
+//! behind.
 
 use super::finish;
 use crate::vtk::{array, doubles, floats};
@@ -42,7 +43,8 @@ fn tow(sinkage: &str) -> Case {
     case::parse(text, "case.toml", &overrides.map(str::to_owned)).unwrap()
 }
 
-/// The model of the case with a grid that follows its disc along x, raised so high above where the case has it [m].
+/// The model of the case with a grid that follows its disc along x, raised so high above where the case has
+/// it [m].
 fn travelling(case: &Case, raised: f64) -> Model {
     let mut model = model(case, f64::LANES);
     model.boundaries.0[0] = [Outflow, Inflow];

@@ -13,8 +13,9 @@ struct Arrow {
 
 /// The dependencies between entries of the same folder.
 ///
-/// Two files are represented by their entries (file or sub-folder) in the innermost folder that contains both. Every circle of
-/// files then contains a circle of entries of one folder. `name.rs` beside a folder `name` belongs to it, like a `mod.rs`.
+/// Two files are represented by their entries (file or sub-folder) in the innermost folder that contains
+/// both. Every circle of files then contains a circle of entries of one folder. `name.rs` beside a folder
+/// `name` belongs to it, like a `mod.rs`.
 fn arrows(uses: &[Use]) -> Vec<Arrow> {
     let mut folders = BTreeSet::new();
     for file in uses.iter().flat_map(|u| [&u.from, &u.to]) {

@@ -1,4 +1,5 @@
-//! Files that a crate includes in its program: a published package holds only what lies in the folder of the crate.
+//! Files that a crate includes in its program: a published package holds only what lies in the folder of the
+//! crate.
 
 use super::modules::{Modules, Sources, attributes, is_test};
 use proc_macro2::{TokenStream, TokenTree};

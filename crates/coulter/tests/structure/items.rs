@@ -56,7 +56,8 @@ pub(crate) fn functions(modules: &Modules, sources: &Sources, exceptions: &[(&st
     wrong
 }
 
-/// The places of parameters that take a tuple of unlike things apart, such as `(a, b): (A, B)`, once for each.
+/// The places of parameters that take a tuple of unlike things apart, such as `(a, b): (A, B)`, once for
+/// each.
 pub(crate) fn tuples(modules: &Modules, sources: &Sources) -> Vec<String> {
     let mut places = Vec::new();
     for (path, file) in sources.files.iter().filter(|(path, _)| !modules.tests.contains(*path)) {

@@ -174,7 +174,8 @@ impl<'a> Modules<'a> {
         self.lookup(at, last, false, depth)
     }
 
-    /// What a name refers to in a module. If it is both a module and an item, it is the module unless it ends the path.
+    /// What a name refers to in a module. If it is both a module and an item, it is the module unless it ends
+    /// the path.
     fn lookup(&self, at: usize, name: &str, in_path: bool, depth: usize) -> Option<Target> {
         if depth > LONGEST_CHAIN {
             return None;
@@ -205,7 +206,8 @@ impl<'a> Modules<'a> {
         std::iter::successors(self.list[module].parent, |m| self.list[*m].parent).any(|m| m == above)
     }
 
-    /// Twins, files that include the same files by `#[path]` to compile them several times, with the one that represents them.
+    /// Twins, files that include the same files by `#[path]` to compile them several times, with the one that
+    /// represents them.
     pub(crate) fn twins(&self) -> BTreeMap<String, String> {
         let mut including: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
         for module in &self.list {

@@ -56,7 +56,8 @@ fn other_files_are_not_a_circle() {
     let files =
         |b| [("lib.rs", "mod a;\nmod b;"), ("a.rs", "use crate::b::g;\npub fn f() { g() }"), ("b.rs", b)];
     no_circle(&files("pub fn g() {}"));
-    // A method or field of that name, a variable that shadows it, a path of another crate, a module without a used item.
+    // A method or field of that name, a variable that shadows it, a path of another crate, a module without a
+    // used item.
     no_circle(&files("pub fn g() { let a = 1; println!(\"{}\", x.a.f(a)); std::a::f(); }"));
     no_circle(&files("use super::a;\npub fn g() {}"));
     // Test code.

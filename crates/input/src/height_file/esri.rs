@@ -1,5 +1,5 @@
-//! Heights as an ESRI grid, `.asc`: a header with the number of columns and rows, a corner and the size of a cell, then the heights from
-//! the top row down.
+//! Heights as an ESRI grid, `.asc`: a header with the number of columns and rows, a corner and the size of a
+//! cell, then the heights from the top row down.
 
 use super::marks;
 use super::placement::{Placement, Raster, require_size, turned};

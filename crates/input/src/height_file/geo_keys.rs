@@ -1,17 +1,20 @@
-//! What the keys of a GeoTIFF say of the units of its coordinates and heights (OGC GeoTIFF 1.1; codes of EPSG).
+//! What the keys of a GeoTIFF say of the units of its coordinates and heights (OGC GeoTIFF 1.1; codes of
+//! EPSG).
 
 use crate::data_file::{FileProblem, problem};
 use tiff::decoder::Decoder;
 use tiff::tags::Tag;
 
-/// Kind of the coordinates, 1 projected, 2 degrees, 3 about the Earth's centre; place of a pixel, 2 in its middle.
+/// Kind of the coordinates, 1 projected, 2 degrees, 3 about the Earth's centre; place of a pixel, 2 in its
+/// middle.
 const MODEL: u16 = 1024;
 const RASTER: u16 = 1025;
 /// Codes of the coordinate system: of degrees, projected, vertical.
 const GEOGRAPHIC: u16 = 2048;
 const PROJECTED: u16 = 3072;
 const VERTICAL: u16 = 4096;
-/// Code of the unit of projected coordinates, and its length [m] where it is one of its own; code of the unit of heights.
+/// Code of the unit of projected coordinates, and its length [m] where it is one of its own; code of the unit
+/// of heights.
 const PROJECTED_UNIT: u16 = 3076;
 const PROJECTED_UNIT_SIZE: u16 = 3077;
 const VERTICAL_UNIT: u16 = 4099;
@@ -64,7 +67,8 @@ const IN_METRES: [(u16, u16); 16] = [
     (32601, 32660), // WGS 84 / UTM north
     (32701, 32760), // WGS 84 / UTM south
 ];
-/// Systems of the American states in feet, on NAD83: in those of the US survey, but for these in international ones.
+/// Systems of the American states in feet, on NAD83: in those of the US survey, but for these in
+/// international ones.
 const IN_FEET: (u16, u16) = (2222, 2289);
 const IN_INTERNATIONAL_FEET: [(u16, u16); 7] =
     [(2222, 2224), (2251, 2253), (2256, 2256), (2265, 2266), (2269, 2270), (2273, 2273), (2280, 2282)];
@@ -226,7 +230,8 @@ impl GeoKeys {
         Ok([number("scale", 1.0)?, number("offset", 0.0)?])
     }
 
-    /// What GDAL notes of the first band under a role: `<Item name="UNITTYPE" sample="0" role="unittype">metre</Item>`.
+    /// What GDAL notes of the first band under a role: `<Item name="UNITTYPE" sample="0"
+    /// role="unittype">metre</Item>`.
     fn of_band(&self, role: &str) -> Option<String> {
         let is_it = |head: &str| {
             head.contains(&format!("role=\"{role}\""))

@@ -12,8 +12,8 @@ const MARKS: [f64; 5] = [-9999.0, -99999.0, -32767.0, -32768.0, -999_999.0];
 const HUGE: f64 = 1e20;
 /// Units in which a mark may have been written [m].
 const UNITS: [f64; 5] = [1.0, 1e-2, 1e-3, 0.0254, 0.3048];
-/// Distance of a height from the others, over the width of the map, beyond which it is none (chosen: no slope is a hundred times as high as
-/// wide).
+/// Distance of a height from the others, over the width of the map, beyond which it is none (chosen: no slope
+/// is a hundred times as high as wide).
 const FAR: f64 = 100.0;
 /// Distance of a mark from the others, over their range (chosen).
 const APART: f64 = 10.0;
@@ -28,8 +28,8 @@ pub(super) fn refuse<T>(number: f64, place: &str) -> Result<T, FileProblem> {
     problem(format!("{place}: is {number} a mark for no height?"), FILL_IN)
 }
 
-/// Refuses a map with a height that is a mark, in whatever format: far from all others, or the size of a mark and apart from them. The
-/// heights lie over `datum` [m].
+/// Refuses a map with a height that is a mark, in whatever format: far from all others, or the size of a mark
+/// and apart from them. The heights lie over `datum` [m].
 pub(super) fn none_in(raster: &Raster, datum: f64) -> Result<(), FileProblem> {
     let mut sorted = raster.heights.clone();
     sorted.sort_by(f64::total_cmp);

@@ -1,19 +1,20 @@
-//! Heights at points that lie on no grid, such as those of a survey: triangulated, and interpolated linearly onto a grid.
+//! Heights at points that lie on no grid, such as those of a survey: triangulated, and interpolated linearly
+//! onto a grid.
 
 use super::placement::{MOST_HEIGHTS, Raster};
 use crate::data_file::{FileProblem, problem};
 use crate::quantity::plain;
 use spade::{DelaunayTriangulation, FloatTriangulation, HasPosition, Point2, Triangulation};
 
-/// Lines of the grid over the mean distance of the points (chosen: a plane between three points then loses a sixteenth of its rise at
-/// most).
+/// Lines of the grid over the mean distance of the points (chosen: a plane between three points then loses a
+/// sixteenth of its rise at most).
 const FINENESS: f64 = 2.0;
 /// Most points: each gets four places of the grid.
 const MOST_POINTS: usize = (MOST_HEIGHTS as f64 / (FINENESS * FINENESS)) as usize;
 /// Fewest points of a surface.
 const LEAST_POINTS: usize = 3;
-/// Width of the squares that are searched for a point, over the mean distance of the points (chosen: of points at random places a square
-/// in ten million is empty).
+/// Width of the squares that are searched for a point, over the mean distance of the points (chosen: of
+/// points at random places a square in ten million is empty).
 const SQUARE: f64 = 4.0;
 
 struct Height {
@@ -28,7 +29,8 @@ impl HasPosition for Height {
     }
 }
 
-/// The heights on a grid over the largest part of a rectangle that the points surround, and what was done; `line` is that of a point.
+/// The heights on a grid over the largest part of a rectangle that the points surround, and what was done;
+/// `line` is that of a point.
 pub(super) fn gridded(
     points: &[[f64; 3]],
     line: impl Fn(usize) -> usize,
@@ -104,8 +106,8 @@ fn bounds(points: &[[f64; 3]]) -> [[f64; 2]; 2] {
     bounds
 }
 
-/// The part of a grid whose places all have a height: outer lines are cut off, always that which lacks most. What has a height is convex,
-/// so that nothing inside lacks one where the outer lines are whole.
+/// The part of a grid whose places all have a height: outer lines are cut off, always that which lacks most.
+/// What has a height is convex, so that nothing inside lacks one where the outer lines are whole.
 fn surrounded(raster: &Raster) -> Option<Raster> {
     let [columns, rows] = raster.lines.each_ref().map(Vec::len);
     let (mut x, mut y) = ([0, columns - 1], [0, rows - 1]);

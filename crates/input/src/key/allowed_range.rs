@@ -1,5 +1,5 @@
-//! The range of a number. It stands once, at its key: reading, `validate`, the documentation and the JSON schema take it from
-//! there.
+//! The range of a number. It stands once, at its key: reading, `validate`, the documentation and the JSON
+//! schema take it from there.
 
 /// An end of a range.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,5 @@
-//! What applies where a key is left out. A default stands here and nowhere else: `resolve`, the documentation and the JSON
-//! schema read it from the tables.
+//! What applies where a key is left out. A default stands here and nowhere else: `resolve`, the documentation
+//! and the JSON schema read it from the tables.
 
 /// What applies where a key is left out.
 #[derive(Clone, Copy, Debug, PartialEq)]

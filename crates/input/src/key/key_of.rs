@@ -1,4 +1,5 @@
-//! Keys together with the places of their values: reading, checks of range and lists of numbers follow from them.
+//! Keys together with the places of their values: reading, checks of range and lists of numbers follow from
+//! them.
 
 use super::allowed_range::AllowedRange;
 use super::declaration::{Key, Kind, key};
@@ -18,13 +19,15 @@ pub struct KeyOf<T: 'static> {
 
 /// Where the value of a key lies in a `T`.
 pub enum Place<T: 'static> {
-    /// A number that every `T` has. Where it has no default and is not required, it stays what the `T` began with.
+    /// A number that every `T` has. Where it has no default and is not required, it stays what the `T` began
+    /// with.
     Number(fn(&mut T) -> &mut f64),
     /// A number that may be left out.
     Optional(fn(&mut T) -> &mut Option<f64>),
     /// A number of a part that not every `T` has; without the part it is neither read nor checked.
     Part(fn(&mut T) -> Option<&mut f64>),
-    /// A number that may follow from other keys: it is checked where it exists, but whoever reads the section fills it in.
+    /// A number that may follow from other keys: it is checked where it exists, but whoever reads the section
+    /// fills it in.
     Derived(fn(&mut T) -> Option<&mut f64>),
     /// A whole number, 0 or more.
     Count(fn(&mut T) -> &mut usize),
@@ -80,7 +83,8 @@ impl<T: 'static> KeyOf<T> {
         self.with(key)
     }
 
-    /// Fills in what the section says, or the default; false if that is wrong or missing, which has been reported.
+    /// Fills in what the section says, or the default; false if that is wrong or missing, which has been
+    /// reported.
     fn fill(&self, whole: &mut T, section: &Section, problems: &mut Problems) -> bool {
         let name = self.key.name;
         let is_given = section.has(name);
@@ -119,7 +123,8 @@ impl<T: 'static> KeyOf<T> {
     }
 }
 
-/// What a section says, in the order of the keys, put into a `T`; `None` if any of it is wrong or missing, which has been reported.
+/// What a section says, in the order of the keys, put into a `T`; `None` if any of it is wrong or missing,
+/// which has been reported.
 pub fn read<T>(keys: &[KeyOf<T>], mut start: T, section: &Section, problems: &mut Problems) -> Option<T> {
     let mut is_right = true;
     for key in keys {
@@ -128,7 +133,8 @@ pub fn read<T>(keys: &[KeyOf<T>], mut start: T, section: &Section, problems: &mu
     is_right.then_some(start)
 }
 
-/// The number of a key without which other keys of the section mean nothing; `None` if it is wrong or missing, which is reported.
+/// The number of a key without which other keys of the section mean nothing; `None` if it is wrong or
+/// missing, which is reported.
 pub fn required<T>(keys: &[KeyOf<T>], name: &str, section: &Section, problems: &mut Problems) -> Option<f64> {
     if !section.has(name) {
         keys.iter().filter(|one| one.key.name == name).for_each(|one| one.key.missing(section, problems));

@@ -1,4 +1,5 @@
-//! What is wrong with a surface, in the coordinates of the file and with the lines or numbers of its triangles.
+//! What is wrong with a surface, in the coordinates of the file and with the lines or numbers of its
+//! triangles.
 
 use super::problem::MeshFileProblem;
 use super::surface::Surface;

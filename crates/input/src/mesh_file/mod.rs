@@ -1,5 +1,6 @@
-//! Files with the surface of a body: STL (binary and text), OBJ, PLY (text and binary). A file is read line by line or triangle by
-//! triangle, so that a large or broken one is refused before it takes up memory, and every refusal says where in the file it is.
+//! Files with the surface of a body: STL (binary and text), OBJ, PLY (text and binary). A file is read line
+//! by line or triangle by triangle, so that a large or broken one is refused before it takes up memory, and
+//! every refusal says where in the file it is.
 
 mod explain;
 mod limits;

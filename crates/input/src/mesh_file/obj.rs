@@ -1,4 +1,5 @@
-//! OBJ (Wavefront 1995): points, and faces that name them by their numbers. Anything about looks is passed over.
+//! OBJ (Wavefront 1995): points, and faces that name them by their numbers. Anything about looks is passed
+//! over.
 
 use super::limits::{MOST_TRIANGLES, TOO_MANY, require_few};
 use super::lines::{Lines, coordinates, shown};

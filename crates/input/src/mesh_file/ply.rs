@@ -1,4 +1,5 @@
-//! PLY (Turk 1994): a header that says which elements follow, and with which properties; then these, as text or binary.
+//! PLY (Turk 1994): a header that says which elements follow, and with which properties; then these, as text
+//! or binary.
 
 use super::limits::{MOST_TRIANGLES, TOO_MANY, require_few};
 use super::lines::{Lines, shown};

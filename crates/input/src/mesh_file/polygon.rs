@@ -4,7 +4,8 @@ use glam::{DVec2, DVec3};
 
 /// Most corners of a face.
 pub(super) const MOST_CORNERS: usize = 1000;
-/// Distance from its mean plane over its size beyond which a face is not plane (chosen: what six digits leave open, and a little).
+/// Distance from its mean plane over its size beyond which a face is not plane (chosen: what six digits leave
+/// open, and a little).
 const NOT_PLANE: f64 = 1e-4;
 
 /// A face as triangles.
@@ -14,8 +15,9 @@ pub(super) struct Divided {
     pub(super) off_plane: Option<f64>,
 }
 
-/// The triangles of a face: all from one corner where none is folded over; otherwise its ears are cut off one by one. Every corner
-/// stays, also one in the middle of an edge: other faces may end there. `Err` says what is wrong with it.
+/// The triangles of a face: all from one corner where none is folded over; otherwise its ears are cut off one
+/// by one. Every corner stays, also one in the middle of an edge: other faces may end there. `Err` says what
+/// is wrong with it.
 pub(super) fn divided(corners: &[u32], points: &[DVec3]) -> Result<Divided, &'static str> {
     if corners.len() < 3 || corners.iter().any(|n| *n as usize >= points.len()) {
         return Err("has fewer than three corners");
@@ -93,8 +95,8 @@ fn around(left: &[usize], n: usize) -> [usize; 3] {
     [left[(n + count - 1) % count], left[n], left[(n + 1) % count]]
 }
 
-/// Area of the ear at a corner over the square of its longest side; 0 where there is none: at a corner that is not convex, and where
-/// another one lies in the ear or on its edge.
+/// Area of the ear at a corner over the square of its longest side; 0 where there is none: at a corner that
+/// is not convex, and where another one lies in the ear or on its edge.
 fn ear(outline: &[DVec2], left: &[usize], n: usize) -> f64 {
     let [a, b, c] = around(left, n).map(|corner| outline[corner]);
     let longest = [b - a, c - b, a - c].map(DVec2::length_squared).into_iter().fold(0.0, f64::max);
@@ -205,7 +207,8 @@ mod tests {
     #[test]
     fn random_outlines_are_divided_or_refused() {
         let mut seed = 7_u64;
-        // Knuth's linear congruential generator (1998), on a coarse lattice, so that corners coincide and lie on edges.
+        // Knuth's linear congruential generator (1998), on a coarse lattice, so that corners coincide and lie
+        // on edges.
         let mut random = |most: u64| {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (seed >> 33) % most

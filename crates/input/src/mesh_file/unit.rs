@@ -33,7 +33,8 @@ const NO_UNIT: [&str; 8] =
 /// Words between `unit` and its word.
 const BETWEEN: [&str; 8] = ["of", "measure", "measurement", "length", "are", "is", "used", "system"];
 
-/// The unit that a comment states: `units: mm`, `UNITS=in`, `Unit of measure: inches`; `place` says where it stands.
+/// The unit that a comment states: `units: mm`, `UNITS=in`, `Unit of measure: inches`; `place` says where it
+/// stands.
 pub(super) fn stated(comment: &str, place: impl Fn() -> String) -> Option<Stated> {
     let lower = comment.to_lowercase();
     let starts = lower.match_indices("unit").map(|(at, _)| at);
@@ -94,7 +95,8 @@ fn next_word(rest: &str) -> Option<&str> {
     Some(&rest[..length]).filter(|word| word.starts_with(char::is_alphabetic))
 }
 
-/// The unit of a file, by its name and length [m]: that of the case, which must be that of the file if that states one.
+/// The unit of a file, by its name and length [m]: that of the case, which must be that of the file if that
+/// states one.
 pub(super) fn of_file(
     case: Option<(&str, f64)>,
     stated: Option<&Stated>,

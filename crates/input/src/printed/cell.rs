@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-/// The text, which no spreadsheet computes: one that begins like a formula (`=`, `+`, `-`, `@`, a tab, a carriage return) and is no
-/// number gets an apostrophe before it (the rule of OWASP, CSV Injection).
+/// The text, which no spreadsheet computes: one that begins like a formula (`=`, `+`, `-`, `@`, a tab, a
+/// carriage return) and is no number gets an apostrophe before it (the rule of OWASP, CSV Injection).
 #[must_use]
 pub fn no_formula(text: &str) -> Cow<'_, str> {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.parse::<f64>().is_err() {

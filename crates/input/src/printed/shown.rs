@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-/// Whether a character acts on a terminal or on the direction of text instead of being shown: controls, C1 included, but for line feed
-/// and tab, and the marks, embeddings, overrides and isolates of the bidirectional algorithm (Unicode Standard Annex 9).
+/// Whether a character acts on a terminal or on the direction of text instead of being shown: controls, C1
+/// included, but for line feed and tab, and the marks, embeddings, overrides and isolates of the
+/// bidirectional algorithm (Unicode Standard Annex 9).
 #[must_use]
 pub fn is_hidden(c: char) -> bool {
     match c {
@@ -13,7 +14,8 @@ pub fn is_hidden(c: char) -> bool {
     }
 }
 
-/// The text with such characters shown as `\u001b`, as JSON and TOML write them: a JSON document says the same as before.
+/// The text with such characters shown as `\u001b`, as JSON and TOML write them: a JSON document says the
+/// same as before.
 #[must_use]
 pub fn plain(text: &str) -> Cow<'_, str> {
     if !text.contains(is_hidden) {

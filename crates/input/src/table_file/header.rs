@@ -34,8 +34,9 @@ impl TableColumn {
         Self { title, name, unit, at: field.at.clone() }
     }
 
-    /// What the column is and its unit: by its name, or, where it has no unit in brackets, by what stands before the last `_`, `/`, comma
-    /// or space, if that has a meaning and the rest is a unit of it: `time_s`, `depth / m`.
+    /// What the column is and its unit: by its name, or, where it has no unit in brackets, by what stands
+    /// before the last `_`, `/`, comma or space, if that has a meaning and the rest is a unit of it:
+    /// `time_s`, `depth / m`.
     pub fn meaning<M>(
         &self,
         named: impl Fn(&str) -> Option<M>,

@@ -35,7 +35,8 @@ pub(super) enum Separator {
     Blanks,
 }
 
-/// The lines of a text from a byte on that hold something: no comments, no lines of blanks and separators alone.
+/// The lines of a text from a byte on that hold something: no comments, no lines of blanks and separators
+/// alone.
 pub(super) fn contents(text: &str, from: usize) -> impl Iterator<Item = Field<'_>> {
     let mut start = from;
     std::iter::from_fn(move || {
@@ -115,7 +116,8 @@ impl Separator {
     }
 }
 
-/// The line cut wherever `ends` says so of a blank and what stands before it; brackets and quotes are not cut.
+/// The line cut wherever `ends` says so of a blank and what stands before it; brackets and quotes are not
+/// cut.
 fn words<'a>(line: &Field<'a>, ends: impl Fn(&str, char) -> bool) -> Vec<Field<'a>> {
     let text = line.text;
     let (mut found, mut begin, mut depth, mut quoted) = (Vec::new(), 0, 0_i32, false);

@@ -1,9 +1,11 @@
-//! Tables of numbers under a header, in whatever dialect a program writes them: measured curves, motions over time, heights, designs.
+//! Tables of numbers under a header, in whatever dialect a program writes them: measured curves, motions over
+//! time, heights, designs.
 //!
-//! Fields are separated by semicolons, tabs, commas or runs of spaces, whichever the first line has; lines end in LF, CR LF or CR. `#`
-//! begins a comment. Where the separator is no comma, or a number stands in quotes, decimals may have a comma. The header names the
-//! columns, each with its unit in square or round brackets or in a line of units below it. What had to be guessed is a remark;
-//! docs/tables.md describes the dialect.
+//! Fields are separated by semicolons, tabs, commas or runs of spaces, whichever the first line has; lines
+//! end in LF, CR LF or CR. `#` begins a comment. Where the separator is no comma, or a number stands in
+//! quotes, decimals may have a comma. The header names the columns, each with its unit in square or round
+//! brackets or in a line of units below it. What had to be guessed is a remark; docs/tables.md describes the
+//! dialect.
 
 mod header;
 mod lines;
@@ -42,8 +44,8 @@ pub struct TableFile {
     body: usize,
 }
 
-/// The numbers of a table without a header, line by line; the numbers of its columns and lines, and what is to be said of how they were
-/// read.
+/// The numbers of a table without a header, line by line; the numbers of its columns and lines, and what is
+/// to be said of how they were read.
 type Grid = (Vec<f64>, [usize; 2], Option<String>);
 
 /// Numbers of a table.
@@ -172,7 +174,8 @@ impl TableFile {
         body
     }
 
-    /// What is wrong with the number of fields of a line: those that are wanted must be there, and none beyond the header.
+    /// What is wrong with the number of fields of a line: those that are wanted must be there, and none
+    /// beyond the header.
     fn count(&self, line: &Line<'_>, wanted: &[usize]) -> Option<Placed> {
         // Without a header a line has as many as it has.
         let names = if self.columns.is_empty() { line.fields.len() } else { self.columns.len() };
@@ -192,8 +195,8 @@ impl TableFile {
         Some(placed(line.at.clone(), message, cure))
     }
 
-    /// Every number of a table without a header, line by line; the numbers of its columns and lines, and what is to be said of how they
-    /// were read.
+    /// Every number of a table without a header, line by line; the numbers of its columns and lines, and what
+    /// is to be said of how they were read.
     ///
     /// # Errors
     /// The first thing that is wrong.

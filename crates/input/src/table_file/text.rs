@@ -20,7 +20,8 @@ const WINDOWS: [char; 32] = [
 const AS_CSV: &str = "save it as CSV, in UTF-8";
 
 impl TableText {
-    /// The text in these bytes: UTF-8, UTF-16 with its mark of byte order, otherwise Windows-1252, which has the letters of Latin-1.
+    /// The text in these bytes: UTF-8, UTF-16 with its mark of byte order, otherwise Windows-1252, which has
+    /// the letters of Latin-1.
     ///
     /// # Errors
     /// [`FileProblem`] where it is no text.
@@ -77,7 +78,8 @@ fn unix(text: String) -> String {
     if text.contains('\r') { text.replace("\r\n", "\n").replace('\r', "\n") } else { text }
 }
 
-/// Characters that would steer a terminal, or turn the direction of a line, are replaced: names of columns are quoted in messages.
+/// Characters that would steer a terminal, or turn the direction of a line, are replaced: names of columns
+/// are quoted in messages.
 fn harmless(text: String) -> String {
     let steers = |c: char| {
         (c.is_control() && c != '\n' && c != '\t')

@@ -1,4 +1,5 @@
-//! Words of a text, one after the other over all its lines, as formats have them that end lines where they like.
+//! Words of a text, one after the other over all its lines, as formats have them that end lines where they
+//! like.
 
 use super::lines::{Field, Separator};
 use super::number::{self, Numbers};

@@ -31,7 +31,8 @@ pub(crate) fn energy(mechanism: &Mechanism, state: &MechanismState, gravity: DVe
         + mechanism.joint_energy(state)
 }
 
-/// Complete elliptic integral of the first kind of the modulus k, by the arithmetic–geometric mean (Abramowitz & Stegun 17.6.3).
+/// Complete elliptic integral of the first kind of the modulus k, by the arithmetic–geometric mean
+/// (Abramowitz & Stegun 17.6.3).
 pub(crate) fn elliptic_k(k: f64) -> f64 {
     let (mut a, mut b) = (1.0, (1.0 - k * k).sqrt());
     while (a - b).abs() > 1e-15 {

@@ -1,5 +1,5 @@
-//! An image to draw on, written as a PNG file, and as another one for dark screens. It is drawn at twice the size and scaled down,
-//! which smooths edges.
+//! An image to draw on, written as a PNG file, and as another one for dark screens. It is drawn at twice the
+//! size and scaled down, which smooths edges.
 
 use crate::plots::Rgb;
 use flate2::Compression;

@@ -1,4 +1,5 @@
-//! The frame of a picture: a region of space at true scale, axes with units, and the bar that explains the colours.
+//! The frame of a picture: a region of space at true scale, axes with units, and the bar that explains the
+//! colours.
 
 use super::canvas::{Anchor, Canvas, INK, Tone};
 use crate::plots::{ColourMap, tick_label, ticks};

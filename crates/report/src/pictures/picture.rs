@@ -72,7 +72,8 @@ pub const PICTURES: [Caption; 8] = [
     },
 ];
 
-/// Draws all pictures of a state, with the map of its free surface, into the folder `dir`, each for light and for dark screens.
+/// Draws all pictures of a state, with the map of its free surface, into the folder `dir`, each for light and
+/// for dark screens.
 ///
 /// # Errors
 /// When a file cannot be written.

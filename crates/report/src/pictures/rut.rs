@@ -65,8 +65,8 @@ pub(super) struct Profile {
     title: String,
     /// The horizontal axis: `x` or `y`.
     axis: char,
-    /// Position along the axis, height above the undisturbed surface at first and at the end [m]; of uneven ground above that over which
-    /// it rises and falls.
+    /// Position along the axis, height above the undisturbed surface at first and at the end [m]; of uneven
+    /// ground above that over which it rises and falls.
     points: Vec<[f64; 3]>,
     /// The range of the axis that the chart shows [m].
     shown: [f64; 2],
@@ -162,7 +162,8 @@ fn section_range(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
     [middle - 0.25 * length, middle + 0.25 * length]
 }
 
-/// The outline of a solid seen from above: the convex hull of the points of its surface [m, body frame], closed.
+/// The outline of a solid seen from above: the convex hull of the points of its surface [m, body frame],
+/// closed.
 fn outline(points: &[DVec3], pose: &Pose) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> = points.iter().map(|p| pose.point(*p)).map(|p| [p.x, p.y]).collect();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));

@@ -72,7 +72,8 @@ impl<'a, R: Precision> Scene<'a, R> {
         range
     }
 
-    /// A slice in which soil has a smooth surface, at a volume fraction of ½, and is coloured by the `value` of each cell.
+    /// A slice in which soil has a smooth surface, at a volume fraction of ½, and is coloured by the `value`
+    /// of each cell.
     fn slice(&self, title: &str, scale: &Scale, value: impl Fn(&CellView<R>) -> f64) -> Canvas {
         let cell = |i: usize, k: usize| CellView::of(self.domain, self.state, [i, self.row, k]);
         let y = self.domain.centre(1, self.row);

@@ -1,4 +1,5 @@
-//! What pictures and report show of a state: of a grid in blocks, what the first has been given of the others.
+//! What pictures and report show of a state: of a grid in blocks, what the first has been given of the
+//! others.
 
 use super::scene::{plane_shown, row_at};
 use case::Case;
@@ -27,8 +28,8 @@ pub struct Shown<'a, R: Precision> {
 }
 
 impl<'a, R: Precision> Shown<'a, R> {
-    /// What is shown of a state, with the surface that its grid has `left` behind. Of a grid in blocks the first gets this of all,
-    /// and the others get nothing.
+    /// What is shown of a state, with the surface that its grid has `left` behind. Of a grid in blocks the
+    /// first gets this of all, and the others get nothing.
     #[must_use]
     pub fn of(
         case: &Case,
@@ -49,8 +50,8 @@ impl<'a, R: Precision> Shown<'a, R> {
     }
 }
 
-/// The row of cells along which the slices lie, with its neighbours, whose stresses have a share in what is shown of it, in the first
-/// block.
+/// The row of cells along which the slices lie, with its neighbours, whose stresses have a share in what is
+/// shown of it, in the first block.
 fn slab<R: Precision>(
     case: &Case,
     (grid, halo): (&Grid, &Halo),

@@ -1,7 +1,9 @@
-//! Soil in a slice with a smooth surface: where the volume fraction, linear between the centres of cells, is ½.
+//! Soil in a slice with a smooth surface: where the volume fraction, linear between the centres of cells, is
+//! ½.
 //!
-//! In a cell that a body takes up in part, what counts is the fraction of the rest: otherwise a gap would seem to open between soil
-//! and body. Colours stay those of the cells, so that noise from cell to cell can be seen.
+//! In a cell that a body takes up in part, what counts is the fraction of the rest: otherwise a gap would
+//! seem to open between soil and body. Colours stay those of the cells, so that noise from cell to cell can
+//! be seen.
 
 /// Volume fraction at the surface.
 const SURFACE: f64 = 0.5;
@@ -23,7 +25,8 @@ pub(super) struct SmoothSoil {
 }
 
 impl SmoothSoil {
-    /// From the faces of the cells along both axes [m], fraction and value of a cell, and whether a body covers a place.
+    /// From the faces of the cells along both axes [m], fraction and value of a cell, and whether a body
+    /// covers a place.
     pub(super) fn new(
         faces: [&[f64]; 2],
         cell: impl Fn(usize, usize) -> (f64, f64),

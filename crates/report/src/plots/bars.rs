@@ -1,4 +1,5 @@
-//! Charts of horizontal bars as SVG text, in the style of the others: a line for each bar or for each group of bars.
+//! Charts of horizontal bars as SVG text, in the style of the others: a line for each bar or for each group
+//! of bars.
 
 use super::chart::{LINE, legend_name};
 use super::chart_marks::{BOTTOM, RIGHT, WIDTH, colour, marked, plain};
@@ -186,7 +187,8 @@ impl Bars {
     }
 }
 
-/// A rectangle in the colour of a number, with stripes of its own, so that bars differ without colour, too: x, y, width, height.
+/// A rectangle in the colour of a number, with stripes of its own, so that bars differ without colour, too:
+/// x, y, width, height.
 fn fill(svg: &mut String, number: usize, [x, y, wide, tall]: [f64; 4]) {
     let is_pale = number / 4 % 2 == 1;
     let _ = writeln!(

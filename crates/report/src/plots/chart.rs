@@ -1,5 +1,5 @@
-//! Line charts as SVG text: the same style for every plot of a report. Text and axes inherit the colour of the page, so
-//! that charts suit light and dark pages and paper.
+//! Line charts as SVG text: the same style for every plot of a report. Text and axes inherit the colour of
+//! the page, so that charts suit light and dark pages and paper.
 
 use super::chart_marks::{
     Axes, BOTTOM, LEFT, RIGHT, WIDTH, draw_curve, draw_level, escaped, key, marked, plain,
@@ -38,7 +38,8 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The chart as SVG text. No two named curves are alike, whether or not one sees colours: of those that would be, later ones get marks.
+    /// The chart as SVG text. No two named curves are alike, whether or not one sees colours: of those that
+    /// would be, later ones get marks.
     #[must_use]
     pub fn svg(&self) -> String {
         let chart = Self { curves: told_apart(&self.curves), ..self.clone() };
@@ -111,8 +112,8 @@ impl Chart {
         svg
     }
 
-    /// What the script of a page needs in order to tell values from positions: ranges of the axes, where they stand, their labels.
-    /// On a logarithmic axis ranges are logarithms.
+    /// What the script of a page needs in order to tell values from positions: ranges of the axes, where they
+    /// stand, their labels. On a logarithmic axis ranges are logarithms.
     fn attributes(&self, axes: &Axes) -> String {
         let ([x0, x1], [y0, y1]) = (axes.x, axes.y);
         let logarithmic = match (self.logarithmic, self.logarithmic_x) {
@@ -263,7 +264,8 @@ fn told_apart(curves: &[Curve]) -> Vec<Curve> {
 /// Height of a line of a legend [pixels].
 pub(super) const LINE: f64 = 18.0;
 
-/// A name in a legend whose lines begin at `left`, shortened to what one line holds, and the width of its entry [pixels].
+/// A name in a legend whose lines begin at `left`, shortened to what one line holds, and the width of its
+/// entry [pixels].
 pub(super) fn legend_name(name: &str, left: f64) -> (String, f64) {
     const KEY: f64 = 34.0;
     const LETTER: f64 = 6.6;

@@ -147,8 +147,8 @@ pub(super) fn draw_level(svg: &mut String, axes: &Axes, level: &Level) {
     );
 }
 
-/// At most about [`MAX_POINTS`] points that preserve every peak: of each group of neighbours the first, the lowest and
-/// the highest. Gaps remain gaps.
+/// At most about [`MAX_POINTS`] points that preserve every peak: of each group of neighbours the first, the
+/// lowest and the highest. Gaps remain gaps.
 fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     if points.len() <= MAX_POINTS {
         return points.to_vec();

@@ -1,7 +1,9 @@
-//! Colours: a palette for curves that colour-blind readers can distinguish, and perceptually uniform colour maps.
+//! Colours: a palette for curves that colour-blind readers can distinguish, and perceptually uniform colour
+//! maps.
 //!
-//! The maps are defined in the OKLab space (B. Ottosson, 2020), in which equal steps look equal: lightness rises evenly
-//! along a sequential map and from both ends of a diverging one, so that they can also be printed in grey.
+//! The maps are defined in the OKLab space (B. Ottosson, 2020), in which equal steps look equal: lightness
+//! rises evenly along a sequential map and from both ends of a diverging one, so that they can also be
+//! printed in grey.
 
 use std::sync::LazyLock;
 
@@ -9,8 +11,8 @@ use std::sync::LazyLock;
 pub(crate) const CURVES: [&str; 7] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7a7a7a"];
 
-/// Steps of a colour map from one end to the other: even, so that the middle of a diverging map is a colour of its own,
-/// and fine enough that no channel changes by more than one from step to step.
+/// Steps of a colour map from one end to the other: even, so that the middle of a diverging map is a colour
+/// of its own, and fine enough that no channel changes by more than one from step to step.
 const STEPS: u32 = 8192;
 
 /// A colour: red, green, blue.

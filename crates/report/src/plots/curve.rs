@@ -13,8 +13,8 @@ pub enum Stroke {
     Dotted,
     /// Dots: a measurement.
     Dots,
-    /// A line with marks, one of several series: the numbers of its dashes and of the shape of its marks, so that it differs from the
-    /// others without colour, too.
+    /// A line with marks, one of several series: the numbers of its dashes and of the shape of its marks, so
+    /// that it differs from the others without colour, too.
     Marked {
         /// Number of the pattern of dashes; 0 is solid.
         dash: usize,

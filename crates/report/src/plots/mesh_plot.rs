@@ -28,8 +28,8 @@ pub(crate) struct MeshPlot<'a> {
 }
 
 impl MeshPlot<'_> {
-    /// The plot: the values as dots, the interval from the finest mesh to h = 0, and the curve of the order, where one was
-    /// observed.
+    /// The plot: the values as dots, the interval from the finest mesh to h = 0, and the curve of the order,
+    /// where one was observed.
     pub(crate) fn plot(&self) -> Plot {
         let point = |h: f64, value: f64| [1e3 * h, value / self.unit];
         let dots = self.values.iter().map(|[h, value]| point(*h, *value)).collect();

@@ -9,8 +9,8 @@ use results::history::reference::Reference;
 use results::history::steady::{is_tow, moving_average};
 use results::overlay::{Overlay, PlotKind};
 
-/// Width of the moving average of the force curves, over the reference length d (chosen: suppresses fluctuations with the
-/// grid spacing, preserves changes over more than a cell width of tow).
+/// Width of the moving average of the force curves, over the reference length d (chosen: suppresses
+/// fluctuations with the grid spacing, preserves changes over more than a cell width of tow).
 const SMOOTHING: f64 = 0.05;
 /// First colour of overlays; those of the run come before it.
 const OVERLAY_COLOUR: usize = 3;
@@ -141,7 +141,8 @@ impl BodyHistory<'_> {
         self.overlays.iter().filter(belongs).enumerate().map(curve).collect()
     }
 
-    /// Times of the samples [s]. Smoothing uses time, because the displacement is constant while a body settles before the tow.
+    /// Times of the samples [s]. Smoothing uses time, because the displacement is constant while a body
+    /// settles before the tow.
     fn times(&self) -> Vec<f64> {
         self.samples.iter().map(|s| s.time).collect()
     }
@@ -256,7 +257,8 @@ impl BodyHistory<'_> {
 
     fn turn_ratio(&self) -> Plot {
         let base = self.abscissa();
-        // At the start of the tow the ratio of two small numbers is meaningless: it is shown only while the body moves.
+        // At the start of the tow the ratio of two small numbers is meaningless: it is shown only while the
+        // body moves.
         let moving = 0.05 * largest(self.samples.iter().map(|s| s.speed));
         let ratio = |s: &BodySample| {
             let ratio = s.turn_ratio(self.reference).filter(|_| s.speed.abs() > moving);

@@ -10,7 +10,8 @@ use results::history::rim::RimLine;
 /// A quantity along the rim with its name.
 type Entry = (&'static str, fn(&RimLine) -> f64);
 
-/// The plots of a rim: against the polar angle where the body can roll, otherwise against the arc; none without contact.
+/// The plots of a rim: against the polar angle where the body can roll, otherwise against the arc; none
+/// without contact.
 #[must_use]
 pub fn rim_plots(reference: &Reference, lines: &[RimLine]) -> Vec<Plot> {
     let touches = |l: &RimLine| l.contact > 0.0;

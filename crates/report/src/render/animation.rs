@@ -10,7 +10,8 @@ const COLOURS: usize = 255;
 /// One of so many pixels is looked at for the palette: 1 is best, 30 fastest.
 const SAMPLING: i32 = 10;
 
-/// The frames of a animation: `count` of them, each made as it is needed, as red, green and blue of every pixel.
+/// The frames of a animation: `count` of them, each made as it is needed, as red, green and blue of every
+/// pixel.
 pub(super) struct Animation<'a> {
     pub(super) size: [usize; 2],
     pub(super) count: usize,

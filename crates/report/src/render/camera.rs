@@ -30,7 +30,8 @@ impl Camera {
         let extent = points.iter().map(|p| p.distance(middle)).fold(1e-6, f64::max);
         let mut distance = 4.0 * extent;
         camera.eye = middle - distance * ahead;
-        // Perspective is not linear: a few corrections of place and distance bring the points to the edge of the picture.
+        // Perspective is not linear: a few corrections of place and distance bring the points to the edge of
+        // the picture.
         for _ in 0..12 {
             let [low, high] = camera.bounds(points);
             let per_pixel = distance / (FOCAL_LENGTH * camera.size[1]);

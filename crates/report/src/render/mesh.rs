@@ -62,7 +62,8 @@ impl HeightColours {
 }
 
 impl Mesh {
-    /// The scene at a recorded time; the block of soil ends at the height `base` [m]. Without `colours` the soil looks as soil does.
+    /// The scene at a recorded time; the block of soil ends at the height `base` [m]. Without `colours` the
+    /// soil looks as soil does.
     pub(super) fn of(
         (recording, base): (&Recording, f64),
         frame: usize,

@@ -22,7 +22,8 @@ pub(super) struct ShadowMap {
 }
 
 impl ShadowMap {
-    /// The shadow that a scene casts on itself, the sun being in this direction (a unit vector, not vertical).
+    /// The shadow that a scene casts on itself, the sun being in this direction (a unit vector, not
+    /// vertical).
     pub(super) fn of(mesh: &Mesh, sun: DVec3) -> Self {
         let right = sun.cross(DVec3::Z).normalize();
         let up = right.cross(sun);

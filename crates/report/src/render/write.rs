@@ -9,13 +9,14 @@ use results::folder::RunRecord;
 use results::tables::read_history;
 use std::path::Path;
 
-/// In more detail than a page can hold: a place for every few pixels, a time for every picture of an animation of some seconds
-/// (chosen: heights take 130 MB at most).
+/// In more detail than a page can hold: a place for every few pixels, a time for every picture of an
+/// animation of some seconds (chosen: heights take 130 MB at most).
 const DETAIL: Detail = Detail { times: 160, places: 100_000, triangles: 60_000 };
 /// Pictures per second of an animation, at most.
 const MOST_PER_SECOND: f64 = 25.0;
 
-/// Draws the files that are asked for from the field files of a results folder. `drawn` is told how many pictures of how many are done.
+/// Draws the files that are asked for from the field files of a results folder. `drawn` is told how many
+/// pictures of how many are done.
 ///
 /// # Errors
 /// When the folder holds no result or no field files, a file is damaged, or one cannot be written.
@@ -66,7 +67,8 @@ pub fn render(
     Ok(())
 }
 
-/// The recorded times of an animation that lasts so long [s]: all, or evenly spread ones, the first and the last among them.
+/// The recorded times of an animation that lasts so long [s]: all, or evenly spread ones, the first and the
+/// last among them.
 fn chosen(recorded: usize, duration: f64) -> Vec<usize> {
     let most = ((MOST_PER_SECOND * duration) as usize).max(2);
     let count = recorded.min(most);

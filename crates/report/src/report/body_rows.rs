@@ -1,4 +1,5 @@
-//! The table of a body: steady means with their intervals, what moving it costs, its rim, its rut, the largest values.
+//! The table of a body: steady means with their intervals, what moving it costs, its rim, its rut, the
+//! largest values.
 
 use super::rows::{NONE, TableRow, bare, symbol, value};
 use super::summary::{BodySummary, RimSummary};
@@ -29,7 +30,8 @@ impl BodyRows<'_> {
         }
     }
 
-    /// What the rim bears, and where its slip changes sign: by angle of a body that can roll, otherwise by arc.
+    /// What the rim bears, and where its slip changes sign: by angle of a body that can roll, otherwise by
+    /// arc.
     fn push_rim(&mut self, rim: &RimSummary) {
         self.push("Drag on the rim", "", self.shown("N", rim.drag), "steady mean; the rest is on the flanks");
         self.push("Vertical force on the rim", "", self.shown("N", rim.vertical), "steady mean");
@@ -74,7 +76,8 @@ const NO_TORQUE: f64 = 0.02;
 /// Depth over the deepest one from which on a body has kept its depth (chosen: round-off).
 const SAME_DEPTH: f64 = 1.0 - 1e-6;
 
-/// Steady means and largest values of a body: those that matter in its kind of motion, and further ones. What has no value is left out.
+/// Steady means and largest values of a body: those that matter in its kind of motion, and further ones. What
+/// has no value is left out.
 pub(super) fn body_rows(
     reference: &Reference,
     body: &BodySummary,

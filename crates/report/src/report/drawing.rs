@@ -1,9 +1,11 @@
-//! Whether a drawing that is read from a folder is one: it becomes part of the page, where anything else could act.
+//! Whether a drawing that is read from a folder is one: it becomes part of the page, where anything else
+//! could act.
 
 /// The elements of our charts.
 const ELEMENTS: [&str; 7] = ["svg", "g", "path", "rect", "circle", "text", "tspan"];
 
-/// Whether an SVG text holds elements and attributes of charts only: nothing that a browser runs, fetches or lays over the page.
+/// Whether an SVG text holds elements and attributes of charts only: nothing that a browser runs, fetches or
+/// lays over the page.
 pub(super) fn is_drawing(svg: &str) -> bool {
     let mut tags = svg.split('<');
     tags.next().is_some_and(|before| before.trim().is_empty()) && tags.all(is_element)

@@ -1,7 +1,8 @@
-//! What a run says in three plain sentences: what happened, whether it can be trusted, and how far it may be off; and its main figures.
+//! What a run says in three plain sentences: what happened, whether it can be trusted, and how far it may be
+//! off; and its main figures.
 //!
-//! ± is only said of intervals that were computed, by a mesh study or from variations. Without them the scatter over the steady window
-//! is given and called so: it says nothing of mesh, domain and speed.
+//! ± is only said of intervals that were computed, by a mesh study or from variations. Without them the
+//! scatter over the steady window is given and called so: it says nothing of mesh, domain and speed.
 
 use super::rows::NONE;
 use super::summary::{BodySummary, Summary};
@@ -137,10 +138,12 @@ impl View<'_> {
     }
 }
 
-/// Part of the weight along a slope within which a pull is as large (chosen: that of a wheel that climbs freely is within 0.3 %).
+/// Part of the weight along a slope within which a pull is as large (chosen: that of a wheel that climbs
+/// freely is within 0.3 %).
 const BALANCED: f64 = 0.02;
 
-/// What of the force of the soil [N] goes into carrying a body up a slope, whose weight draws it down with `weight` [N].
+/// What of the force of the soil [N] goes into carrying a body up a slope, whose weight draws it down with
+/// `weight` [N].
 fn on_slope(pull: f64, weight: f64) -> String {
     let shown = text(&Figure::exact(weight.abs()), Unit::force);
     match () {
@@ -333,7 +336,8 @@ fn error(half: f64) -> String {
     rounded(half, Some(half))
 }
 
-/// A number with as many decimals as its uncertainty leaves a meaning: one digit of that, two where the first is 1.
+/// A number with as many decimals as its uncertainty leaves a meaning: one digit of that, two where the first
+/// is 1.
 fn rounded(number: f64, half: Option<f64>) -> String {
     let Some(half) = half.filter(|half| *half > 0.0 && half.is_finite()) else { return digits(number) };
     let decade = half.log10().floor();

@@ -1,8 +1,9 @@
 //! The report of a run: `summary.json` for scripts, and `report.html`, one self-contained page.
 //!
-//! Both are made from the record of the run, its histories and what the other formats have left in the folder, so that a
-//! report can be rebuilt without the state. The names in `summary.json` are a contract. No other format depends on this one, but the
-//! mesh study and the intervals, which put several runs into one report.
+//! Both are made from the record of the run, its histories and what the other formats have left in the
+//! folder, so that a report can be rebuilt without the state. The names in `summary.json` are a contract. No
+//! other format depends on this one, but the mesh study and the intervals, which put several runs into one
+//! report.
 
 mod assembly;
 mod body_rows;

@@ -111,7 +111,8 @@ struct Page<'a> {
     typed: Option<String>,
 }
 
-/// Writes the page, and its plots as separate files; `rims` are the rims of the bodies, averaged over their steady windows.
+/// Writes the page, and its plots as separate files; `rims` are the rims of the bodies, averaged over their
+/// steady windows.
 pub(crate) fn write_report(
     dir: &Path,
     record: &RunRecord,

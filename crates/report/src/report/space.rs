@@ -1,4 +1,5 @@
-//! The section that shows the soil surface and the bodies in space: data for its script, and what the caption says of them.
+//! The section that shows the soil surface and the bodies in space: data for its script, and what the caption
+//! says of them.
 
 use crate::view::{SurfaceView, displacements};
 use results::folder::RunRecord;
@@ -17,7 +18,8 @@ pub(super) struct Space {
     problem: Option<String>,
 }
 
-/// Makes the section from the field files of a run. Where one of them is damaged or was removed the report says so instead.
+/// Makes the section from the field files of a run. Where one of them is damaged or was removed the report
+/// says so instead.
 pub(super) fn space(dir: &Path, record: &RunRecord, history: &History) -> Space {
     let read = SurfaceView::read(dir, record);
     let made = read.map_err(|error| error.to_string()).and_then(|view| {

@@ -21,7 +21,8 @@ use std::path::Path;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Summary {
-    /// Version of the case-file format that the case was written in; 0 in summaries of format 1, which do not say.
+    /// Version of the case-file format that the case was written in; 0 in summaries of format 1, which do not
+    /// say.
     pub format: u32,
     /// Version of the format of the results folder.
     pub results_format: u32,
@@ -47,7 +48,8 @@ pub struct Summary {
     pub ruts: BTreeMap<String, RutSection>,
     /// The bodies by name.
     pub bodies: BTreeMap<String, BodySummary>,
-    /// Steady means of the forces of the soil on all bodies together [N]; `null` where only one touches the soil.
+    /// Steady means of the forces of the soil on all bodies together [N]; `null` where only one touches the
+    /// soil.
     pub all_bodies: Option<Figures<Option<f64>>>,
     /// The parts by name of bodies that consist of several: the soil's force on each.
     pub parts: BTreeMap<String, ForceSummary>,
@@ -110,8 +112,8 @@ pub struct EnergySummary {
     /// Kinetic and elastic energy lost in remaps [J].
     #[serde(rename = "remap_loss_J")]
     pub remap_loss: Option<f64>,
-    /// Relative error of the energy balance: unexplained energy, beyond rounding, over the largest of external work, plastic
-    /// dissipation and kinetic energy.
+    /// Relative error of the energy balance: unexplained energy, beyond rounding, over the largest of
+    /// external work, plastic dissipation and kinetic energy.
     pub closure: Option<f64>,
 }
 
@@ -129,7 +131,8 @@ pub struct BodySummary {
     pub mesh: Mesh,
 }
 
-/// Force on a part of a body, or through a joint, averaged over the steady window of its body or of its second body.
+/// Force on a part of a body, or through a joint, averaged over the steady window of its body or of its
+/// second body.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ForceSummary {
@@ -166,8 +169,8 @@ impl ForceSummary {
     }
 }
 
-/// Results on the rim of a body and on its flanks, averaged over the steady window; `null` in JSON where there is nothing to
-/// average.
+/// Results on the rim of a body and on its flanks, averaged over the steady window; `null` in JSON where
+/// there is nothing to average.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct RimSummary {
@@ -211,7 +214,8 @@ impl From<&RimAverage> for RimSummary {
     }
 }
 
-/// The rims of the bodies, each averaged over the steady window of its body; none where there is nothing to average.
+/// The rims of the bodies, each averaged over the steady window of its body; none where there is nothing to
+/// average.
 #[must_use]
 pub(crate) fn rims(history: &History, record: &RunRecord) -> Vec<Option<RimAverage>> {
     let average = |(n, SteadyWindow { samples, range, .. }): (usize, SteadyWindow<'_>)| {

@@ -7,7 +7,8 @@ const NOTICEABLE: f64 = 0.02;
 /// Ground that is shown around it, over its extent.
 const MARGIN: f64 = 0.25;
 
-/// Places along x and y [m], at most so many: where the surface changes or bodies are, and some ground around.
+/// Places along x and y [m], at most so many: where the surface changes or bodies are, and some ground
+/// around.
 pub(super) fn lattice(surfaces: &[SurfaceAtTime], bodies: [[f64; 2]; 2], most: usize) -> [Vec<f64>; 2] {
     let axes = [0, 1].map(|axis| places(surfaces, axis));
     let shown = shown(surfaces, &axes, bodies);

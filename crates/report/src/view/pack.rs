@@ -35,7 +35,8 @@ pub(super) fn packed(times: &[Vec<f64>]) -> Packed {
     Packed { low, step, text: STANDARD.encode(bytes) }
 }
 
-/// Adds the changes from one time to the next: even numbers up, odd ones down; after a 0 how many changes are 0.
+/// Adds the changes from one time to the next: even numbers up, odd ones down; after a 0 how many changes are
+/// 0.
 fn push_changes(bytes: &mut Vec<u8>, before: &[i64], now: &[i64]) {
     let mut zeros = 0;
     for change in before.iter().zip(now).map(|(a, b)| b - a) {

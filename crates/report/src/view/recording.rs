@@ -102,7 +102,8 @@ fn read_bodies(
     Ok(bodies)
 }
 
-/// The displacement of the first body that touches the soil at some times, between those of its samples [m]; none without such a body.
+/// The displacement of the first body that touches the soil at some times, between those of its samples [m];
+/// none without such a body.
 pub(crate) fn displacements(record: &RunRecord, history: &History, times: &[f64]) -> Vec<f64> {
     let mut bodies = record.bodies.iter().zip(&history.bodies);
     let Some((_, samples)) = bodies.find(|(reference, _)| reference.has_surface()) else { return Vec::new() };

@@ -15,8 +15,8 @@ pub(super) struct SurfaceAtTime {
 }
 
 impl SurfaceAtTime {
-    /// Reads a surface; in plane strain its only row of columns becomes a strip of this width [m], and of a case that is symmetric
-    /// about x = 0 the other half is added.
+    /// Reads a surface; in plane strain its only row of columns becomes a strip of this width [m], and of a
+    /// case that is symmetric about x = 0 the other half is added.
     pub(super) fn read(from: &Inside, width: f64, symmetric_x: bool) -> Result<Self, OutputError> {
         let file = VtkFile::read(from)?;
         let (points, rises) = (file.numbers("Points")?, file.numbers("rise")?);
@@ -58,7 +58,8 @@ impl SurfaceAtTime {
         self.axes[0] = x.iter().rev().map(|x| -x).chain(x.iter().copied()).collect();
     }
 
-    /// The height at a place [m], linear between the centres of columns; not-a-number beyond them, but for half a column.
+    /// The height at a place [m], linear between the centres of columns; not-a-number beyond them, but for
+    /// half a column.
     pub(super) fn at(&self, place: [f64; 2]) -> f64 {
         let [Some((i, a)), Some((j, b))] = [0, 1].map(|axis| between(&self.axes[axis], place[axis])) else {
             return f64::NAN;

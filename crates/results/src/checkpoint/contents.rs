@@ -11,8 +11,9 @@ use std::ops::Range;
 
 /// What every checkpoint begins with.
 pub(super) const MAGIC: &[u8; 7] = b"COULTER";
-/// Version of what follows; a checkpoint of another version cannot be resumed.
-pub(super) const VERSION: u8 = b'J';
+/// Version of what follows, where that is not in the layout of its types: what a number means, how a file is
+/// packed.
+pub(super) const VERSION: u8 = b'K';
 
 /// Soil and nodes of a block, in a file of their own beside the checkpoint.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,6 +1,7 @@
 //! Reading a checkpoint back.
 
 use super::contents::{Checkpoint, MAGIC, VERSION};
+use super::layout;
 use super::paths::{last, previous};
 use crate::files::{Inside, OutputError};
 use case::machine;
@@ -14,8 +15,8 @@ use std::path::Path;
 use xxhash_rust::xxh3::xxh3_64;
 
 impl<R: Precision> Checkpoint<R> {
-    /// Reads the last checkpoint of a results folder or, where that is not whole, the one before; with what is wrong with the
-    /// last one in that case. The state is that on a `grid`, or on the block that this is.
+    /// Reads the last checkpoint of a results folder or, where that is not whole, the one before; with what
+    /// is wrong with the last one in that case. The state is that on a `grid`, or on the block that this is.
     ///
     /// # Errors
     /// When there is none, or none is whole, or it was written by another version or in another precision.
@@ -94,9 +95,14 @@ fn read_record(from: &Inside) -> Result<(Vec<u8>, u64), OutputError> {
     let header = file.split_first_chunk::<8>().filter(|(magic, _)| magic.starts_with(MAGIC));
     let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
     check_version(magic[7]).map_err(|problem| broken(&problem))?;
-    let Some((packed, hash)) = rest.split_last_chunk::<8>() else {
+    let parts =
+        rest.split_first_chunk::<8>().and_then(|(own, rest)| Some((own, rest.split_last_chunk::<8>()?)));
+    let Some((layout, (packed, hash))) = parts else {
         return Err(broken("the checkpoint is cut off"));
     };
+    if *layout != layout::hash() {
+        return Err(broken(OTHER_LAYOUT));
+    }
     let found = xxh3_64(packed);
     if found.to_le_bytes() != *hash {
         return Err(broken("the checkpoint is damaged (its hash is wrong)"));
@@ -110,7 +116,8 @@ fn most_bytes() -> u64 {
     machine::memory_available().map_or(u64::MAX, |bytes| (0.5 * bytes) as u64)
 }
 
-/// Unpacks a record of at most `most` bytes: a few bytes of a forged file may say that they stand for any number.
+/// Unpacks a record of at most `most` bytes: a few bytes of a forged file may say that they stand for any
+/// number.
 fn unpacked(packed: &[u8], most: u64) -> io::Result<Vec<u8>> {
     let mut plain = Vec::new();
     zstd::Decoder::new(packed)?.take(most.saturating_add(1)).read_to_end(&mut plain)?;
@@ -119,6 +126,9 @@ fn unpacked(packed: &[u8], most: u64) -> io::Result<Vec<u8>> {
     }
     Ok(plain)
 }
+
+/// What is said of a checkpoint whose types have other fields.
+const OTHER_LAYOUT: &str = "written by another version of Coulter, whose checkpoints hold other quantities; finish the run with that one";
 
 /// Whether a checkpoint of this version can be read; if not, what to do.
 fn check_version(found: u8) -> Result<(), String> {
@@ -153,5 +163,18 @@ mod tests {
         let [older, newer] = [VERSION - 1, VERSION + 1].map(|version| check_version(version).unwrap_err());
         assert!(older.contains("an older version") && older.contains("finish"), "{older}");
         assert!(newer.contains("a newer version") && newer.contains("install"), "{newer}");
+    }
+
+    #[test]
+    fn another_layout_is_refused_before_its_contents_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let record = |layout: [u8; 8]| {
+            let file = Inside::of(folder.path(), "checkpoint");
+            let text = [&MAGIC[..], &[VERSION], &layout, &xxh3_64(b"").to_le_bytes()].concat();
+            std::fs::write(file.path(), text).unwrap();
+            read_record(&file).map(|_| ()).unwrap_err().to_string()
+        };
+        assert!(record([0; 8]).contains("other quantities"), "{}", record([0; 8]));
+        assert!(!record(layout::hash()).contains("other quantities"));
     }
 }

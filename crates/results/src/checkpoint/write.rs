@@ -1,6 +1,7 @@
 //! Writing a checkpoint.
 
 use super::contents::{CheckpointView, MAGIC, PortionFile, Record, VERSION};
+use super::layout;
 use super::paths::{failed, last, portion_name, previous, remove_old_portions};
 use crate::files::{CHECKPOINTS, Inside, Named, OutputError, make_folder};
 use serde::Serialize;
@@ -13,8 +14,9 @@ use xxhash_rust::xxh3::Xxh3;
 const LEVEL: i32 = 1;
 
 impl<R: Precision> CheckpointView<'_, R> {
-    /// Writes the last checkpoint of a results folder and keeps the one before. All blocks of a grid must call this: each writes its
-    /// soil and nodes, and when all have, the first the rest; until then the last checkpoint is the one before.
+    /// Writes the last checkpoint of a results folder and keeps the one before. All blocks of a grid must
+    /// call this: each writes its soil and nodes, and when all have, the first the rest; until then the last
+    /// checkpoint is the one before.
     ///
     /// # Errors
     /// When a file cannot be written; the checkpoints that are there stay.
@@ -59,7 +61,8 @@ impl<R: Precision> CheckpointView<'_, R> {
         write_file(file, &record, make_room).map(|_| ())
     }
 
-    /// Writes soil and nodes of a block; returns the files of all, in the first block. Nothing where there is only one.
+    /// Writes soil and nodes of a block; returns the files of all, in the first block. Nothing where there is
+    /// only one.
     fn write_portion(&self, dir: &Path) -> Result<Vec<PortionFile>, OutputError> {
         let (grid, halo) = self.block;
         if halo.is_alone() {
@@ -108,7 +111,7 @@ fn write_part(draft: &Inside, record: &impl Serialize) -> Result<u64, OutputErro
     let part = &*draft.path();
     let file = draft.create().named("create", part)?;
     let mut out = BufWriter::with_capacity(1 << 20, file);
-    out.write_all(MAGIC).and_then(|()| out.write_all(&[VERSION])).named("write", part)?;
+    out.write_all(&[&MAGIC[..], &[VERSION], &layout::hash()].concat()).named("write", part)?;
     let mut hashed = Hashed { out, hash: Xxh3::new(), failure: None };
     pack(record, &mut hashed, part)?;
     let Hashed { mut out, hash, .. } = hashed;

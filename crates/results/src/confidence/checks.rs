@@ -14,8 +14,8 @@ const EFFECTS: [(ErrorSource, &Limit); 4] = [
 ];
 
 impl Confidence {
-    /// The checks: for each body the largest effect of every source that was examined, its widest interval and whether its force
-    /// still changes, and what is missing.
+    /// The checks: for each body the largest effect of every source that was examined, its widest interval
+    /// and whether its force still changes, and what is missing.
     #[must_use]
     pub fn checks(&self) -> Vec<Check> {
         let mut checks = Vec::new();

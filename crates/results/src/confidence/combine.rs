@@ -5,13 +5,15 @@
 use super::figures::{ConfidenceInterval, Contribution};
 use crate::confidence::variations::{FARTHER, LONGER};
 
-/// How far the figure of an infinite domain may be, in changes by the larger one: its effect falls at least with the first power of
-/// the distance, c/R, so that a domain [`FARTHER`] times as far leaves the change times s/(s − 1).
+/// How far the figure of an infinite domain may be, in changes by the larger one: its effect falls at least
+/// with the first power of the distance, c/R, so that a domain [`FARTHER`] times as far leaves the change
+/// times s/(s − 1).
 pub const REACH_DOMAIN: f64 = FARTHER / (FARTHER - 1.0);
-/// The same for a motion without speed: viscosity adds to a force with the first power of the speed, inertia with the second.
+/// The same for a motion without speed: viscosity adds to a force with the first power of the speed, inertia
+/// with the second.
 pub const REACH_SPEED: f64 = LONGER / (LONGER - 1.0);
-/// How far the figure without rounding may be, in changes by the other precision, to either side: Roache's factor where the
-/// better value is known.
+/// How far the figure without rounding may be, in changes by the other precision, to either side: Roache's
+/// factor where the better value is known.
 pub const SAFETY_PRECISION: f64 = 1.25;
 /// How far a bias reaches against its direction, in changes: a difference of two runs is not free of scatter.
 const AGAINST: f64 = 1.0;
@@ -27,8 +29,8 @@ pub(super) fn scatter(change: f64) -> [f64; 2] {
     [SAFETY_PRECISION * change.abs(); 2]
 }
 
-/// The interval of a value from independent contributions: the squares of each side add up. `scale` is what half-widths are
-/// compared with.
+/// The interval of a value from independent contributions: the squares of each side add up. `scale` is what
+/// half-widths are compared with.
 pub(super) fn combined(value: f64, scale: f64, mut contributions: Vec<Contribution>) -> ConfidenceInterval {
     let root =
         |side: fn(&Contribution) -> f64| contributions.iter().map(|c| side(c).powi(2)).sum::<f64>().sqrt();

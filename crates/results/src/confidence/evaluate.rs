@@ -22,8 +22,8 @@ pub struct VariedRun<'a> {
     pub history: Option<&'a History>,
 }
 
-/// Evaluates the variations of a run with this history and this verdict, which is on cells of `confidence.width_m`. `part` is that
-/// over which steady means are taken.
+/// Evaluates the variations of a run with this history and this verdict, which is on cells of
+/// `confidence.width_m`. `part` is that over which steady means are taken.
 #[must_use]
 pub fn evaluate(
     mut confidence: Confidence,
@@ -112,8 +112,8 @@ impl OwnBody<'_> {
         BodyConfidence { no_interval_because: None, force_change: self.force_change(), figures }
     }
 
-    /// Change of the force over its mean: of a body that is towed, of the drag since the stretch before the window, of the same
-    /// length; of one that is pressed, of the vertical force over the window.
+    /// Change of the force over its mean: of a body that is towed, of the drag since the stretch before the
+    /// window, of the same length; of one that is pressed, of the vertical force over the window.
     fn force_change(&self) -> Option<f64> {
         let change = if self.window.is_towed() {
             let now = self.window.steady.drag?;
@@ -127,7 +127,8 @@ impl OwnBody<'_> {
         change.is_finite().then_some(change.abs())
     }
 
-    /// The means over the stretch before the window, of the same length; `None` where the tow is not that long.
+    /// The means over the stretch before the window, of the same length; `None` where the tow is not that
+    /// long.
     fn earlier(&self) -> Option<Steady> {
         let (from, to) = (self.window.steady.from_m?, self.window.steady.to_m?);
         let earlier = Steady { from_m: Some(from - (to - from)), to_m: Some(from), ..Steady::default() };
@@ -171,8 +172,8 @@ impl OwnBody<'_> {
         }
     }
 
-    /// The grid-convergence index of a mesh study, from as many meshes as there are. On a finer mesh alone it is that of the finer
-    /// one, with the distance to it.
+    /// The grid-convergence index of a mesh study, from as many meshes as there are. On a finer mesh alone it
+    /// is that of the finer one, with the distance to it.
     fn of_mesh(&self, quantity: &Quantity, varied: &[VariedBody], examined: Contribution) -> Contribution {
         let of_source: Vec<&VariedBody> =
             varied.iter().filter(|v| v.result.source == ErrorSource::Mesh).collect();
@@ -198,7 +199,8 @@ fn missing(source: ErrorSource, status: Status, why: &str) -> Contribution {
     Contribution { source, status, because: Some(why.to_owned()), ..Contribution::default() }
 }
 
-/// A source without a variation that counts: what became of the first that should have been run, or else of the first.
+/// A source without a variation that counts: what became of the first that should have been run, or else of
+/// the first.
 fn first_missing(source: ErrorSource, varied: &[&VariedBody]) -> Contribution {
     let first = varied.iter().find(|v| v.status.is_missing()).or(varied.first());
     let why = first.and_then(|v| v.because.clone());
@@ -213,7 +215,8 @@ fn first_missing(source: ErrorSource, varied: &[&VariedBody]) -> Contribution {
 /// Part of the whole force on a body below which a component is not worth an interval (chosen).
 const MEANINGFUL: f64 = 0.01;
 
-/// What half-widths of a quantity are compared with, in its unit; `None` where it has no interval, or no meaning for this body.
+/// What half-widths of a quantity are compared with, in its unit; `None` where it has no interval, or no
+/// meaning for this body.
 fn scale(quantity: Quantity, steady: &Steady, setting: Option<&BodySetting>) -> Option<f64> {
     let size = quantity.mean(steady)?.abs();
     match quantity.figure.scale? {
@@ -245,7 +248,8 @@ mod tests {
         (reference, setting)
     }
 
-    /// A footing that is pressed for a time [s] and carries this load [N], more by a part of it towards the end.
+    /// A footing that is pressed for a time [s] and carries this load [N], more by a part of it towards the
+    /// end.
     fn pressed(duration: f64, load: f64, rise: f64) -> History {
         let body = (0..=400).map(|n| {
             let part = f64::from(n) / 400.0;

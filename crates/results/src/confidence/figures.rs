@@ -95,11 +95,13 @@ pub struct VariationResult {
 pub struct BodyConfidence {
     /// Why there is no interval; `null` where there are intervals.
     pub no_interval_because: Option<String>,
-    /// Change of the force over its mean over the window: of the drag of a body that is towed since the stretch before the window, of
-    /// the same length; of the vertical force of one that is pressed over the window; otherwise `null`. Where it is large, an
-    /// interval is that of the mean over the window, not of a load that stays.
+    /// Change of the force over its mean over the window: of the drag of a body that is towed since the
+    /// stretch before the window, of the same length; of the vertical force of one that is pressed over the
+    /// window; otherwise `null`. Where it is large, an interval is that of the mean over the window, not of a
+    /// load that stays.
     pub force_change: Option<f64>,
-    /// Intervals by figure: `drag_N`, `vertical_N`, `lateral_N`, `sinkage_m`, `turn_ratio`; those without a meaning are left out.
+    /// Intervals by figure: `drag_N`, `vertical_N`, `lateral_N`, `sinkage_m`, `turn_ratio`; those without a
+    /// meaning are left out.
     pub figures: BTreeMap<String, ConfidenceInterval>,
 }
 
@@ -113,8 +115,8 @@ pub struct ConfidenceInterval {
     pub interval: [f64; 2],
     /// Half of its width, in the unit of the figure.
     pub half_width: f64,
-    /// Half-width over the value; of a force below a tenth of the whole force on the body over that tenth, of the turn ratio over 1.
-    /// `null` where the value is 0 and the half-width is not.
+    /// Half-width over the value; of a force below a tenth of the whole force on the body over that tenth, of
+    /// the turn ratio over 1. `null` where the value is 0 and the half-width is not.
     pub relative_half_width: Option<f64>,
     /// The largest contribution; `null` where all are 0.
     pub dominated_by: Option<ErrorSource>,

@@ -2,15 +2,18 @@
 
 use crate::history::blocks::{BLOCKS, STUDENT_90, standard_error};
 
-/// 95 % quantile of Student's distribution with six degrees of freedom, those of eight blocks about a straight line.
+/// 95 % quantile of Student's distribution with six degrees of freedom, those of eight blocks about a
+/// straight line.
 const STUDENT_90_LINE: f64 = 1.943;
 
-/// Half-width of the interval (90 %) of the mean of a body that is towed: a drift counts as what a longer tow would change.
+/// Half-width of the interval (90 %) of the mean of a body that is towed: a drift counts as what a longer tow
+/// would change.
 pub(super) fn of_tow(blocks: &[f64; BLOCKS]) -> f64 {
     STUDENT_90 * standard_error(blocks)
 }
 
-/// The same of a body that is pressed, whose force may rise as it goes deeper: the scatter about a straight line.
+/// The same of a body that is pressed, whose force may rise as it goes deeper: the scatter about a straight
+/// line.
 pub(super) fn of_press(blocks: &[f64; BLOCKS]) -> f64 {
     let count = BLOCKS as f64;
     let mean = blocks.iter().sum::<f64>() / count;

@@ -8,9 +8,11 @@ use solver::state::State;
 
 /// Cells with less soil than this are void: what they hold is rounding and is shown as nothing.
 const VOID: f64 = 1e-6;
-/// Nodes beside a cell with less soil than this lie at a surface: what alternates round them is not told from what varies.
+/// Nodes beside a cell with less soil than this lie at a surface: what alternates round them is not told from
+/// what varies.
 const WELL_FILLED: f64 = 0.5;
-/// Cells with less soil than this have no density: in slivers mass over volume scatters by a factor of ten and more.
+/// Cells with less soil than this have no density: in slivers mass over volume scatters by a factor of ten
+/// and more.
 const SLIVER: f64 = 0.01;
 
 /// A cell as it is shown: SI units, pressure positive in compression; all zero where it is void.
@@ -55,8 +57,9 @@ impl<'a, R: Precision> CellView<'a, R> {
         if count > 0.0 { sum / count } else { DVec3::ZERO }
     }
 
-    /// Stress xx, yy, zz, xy, yz, xz [Pa], tension positive, without what alternates from cell to cell along two or three axes: that
-    /// exerts no force on any node, and says nothing of the soil. Stress that varies linearly stays as it is.
+    /// Stress xx, yy, zz, xy, yz, xz [Pa], tension positive, without what alternates from cell to cell along
+    /// two or three axes: that exerts no force on any node, and says nothing of the soil. Stress that varies
+    /// linearly stays as it is.
     pub(crate) fn stress(&self) -> [f64; 6] {
         if self.is_void() {
             return [0.0; 6];
@@ -73,8 +76,9 @@ impl<'a, R: Precision> CellView<'a, R> {
         sum
     }
 
-    /// The part of the stresses of the cells round one of its nodes that is constant or linear there, in this cell: the cells with their
-    /// shares; its own stress alone where one of them holds little soil. Bit `axis` of the node is set at the high end.
+    /// The part of the stresses of the cells round one of its nodes that is constant or linear there, in this
+    /// cell: the cells with their shares; its own stress alone where one of them holds little soil. Bit
+    /// `axis` of the node is set at the high end.
     fn shares(&self, node: usize) -> [Option<(usize, f64)>; 8] {
         let grid = self.domain.grid;
         let cells = self.domain.cells();
@@ -142,7 +146,8 @@ pub fn node_velocity(state: &State<impl Precision>, node: usize) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|axis| state.nodes.velocity[axis][node].into()))
 }
 
-/// Mean pressure of all cells as it is written and drawn [Pa], compression positive, x fastest, then y; zero where a cell is void.
+/// Mean pressure of all cells as it is written and drawn [Pa], compression positive, x fastest, then y; zero
+/// where a cell is void.
 #[must_use]
 pub fn shown_pressure<R: Precision>(grid: &Grid, state: &State<R>) -> Vec<f64> {
     let domain = PlacedDomain::of(grid, state.grid_position);

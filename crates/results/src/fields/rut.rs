@@ -13,13 +13,13 @@ use solver::state::State;
 pub struct Rut {
     /// Sections along the tow, over every column of cells.
     pub sections: Vec<RutSection>,
-    /// Their mean behind the body, from one length behind its middle on, over the last part of the tow or at least half a length; `None`
-    /// where it has not gone farther than its length.
+    /// Their mean behind the body, from one length behind its middle on, over the last part of the tow or at
+    /// least half a length; `None` where it has not gone farther than its length.
     pub mean: Option<RutSection>,
 }
 
-/// The rut of every body, nothing of a frame. Where several run beside each other, the ground is shared at the middle between their
-/// tracks; of bodies in one track each has the whole.
+/// The rut of every body, nothing of a frame. Where several run beside each other, the ground is shared at
+/// the middle between their tracks; of bodies in one track each has the whole.
 #[must_use]
 pub fn ruts(
     case: &Case,
@@ -140,7 +140,8 @@ mod tests {
     use super::*;
     use crate::history::GroundColumn;
 
-    /// One line across x: a rut of triangular section, 0.2 m deep and 0.8 m wide at the surface, with a berm of 0.1 m at y > 0.
+    /// One line across x: a rut of triangular section, 0.2 m deep and 0.8 m wide at the surface, with a berm
+    /// of 0.1 m at y > 0.
     fn map() -> HeightMap {
         let edges: Vec<f64> = (0..=400).map(|n| -2.0 + 0.01 * f64::from(n)).collect();
         let centres: Vec<f64> = edges.windows(2).map(|e| 0.5 * (e[0] + e[1])).collect();

@@ -12,7 +12,8 @@ use solver::initial::undisturbed_fractions;
 use solver::precision::Precision;
 use solver::state::State;
 
-/// Lines of ground left behind of which less than this fraction of half a cell lies outside the grid are not shown.
+/// Lines of ground left behind of which less than this fraction of half a cell lies outside the grid are not
+/// shown.
 const SLIVER: f64 = 1e-6;
 
 /// Height of the free surface over each column of cells, and over the ground that the grid has left behind.
@@ -28,7 +29,8 @@ pub struct HeightMap {
     pub undisturbed: Vec<GroundColumn>,
     /// Height of the undisturbed surface [m]; of uneven ground that over which it rises and falls.
     pub reference: f64,
-    /// Ends along x and y of what lies inside the grid [m]; beyond them is the ground that it has left behind.
+    /// Ends along x and y of what lies inside the grid [m]; beyond them is the ground that it has left
+    /// behind.
     pub inside: [[f64; 2]; 2],
 }
 
@@ -52,8 +54,8 @@ pub struct SurfaceFigures {
     pub disturbed_m3: f64,
     /// Volume of mixed soil [m³].
     pub mixed_m3: f64,
-    /// Volume of the rut that berms, compaction, voids and the holes in which bodies started do not explain, over that of the rut: soil that
-    /// has left the map.
+    /// Volume of the rut that berms, compaction, voids and the holes in which bodies started do not explain,
+    /// over that of the rut: soil that has left the map.
     pub unexplained: f64,
 }
 
@@ -67,9 +69,9 @@ pub fn reference_height(case: &Case) -> f64 {
 }
 
 impl HeightMap {
-    /// The free surface of a state, with that which its grid has left behind on its way along x or along y (`left`, lines across
-    /// that way). Of a grid that has travelled along both there is only what is inside. Of a grid in blocks the first gets the map
-    /// of all, and the others get none.
+    /// The free surface of a state, with that which its grid has left behind on its way along x or along y
+    /// (`left`, lines across that way). Of a grid that has travelled along both there is only what is inside.
+    /// Of a grid in blocks the first gets the map of all, and the others get none.
     #[must_use]
     pub fn of(
         case: &Case,
@@ -221,7 +223,8 @@ impl HeightMap {
         places.zip(&self.columns).map(|([x, y], column)| SurfacePoint { x, y, column: *column }).collect()
     }
 
-    /// Depth of the rut, height of the berms, their volumes and what else has become of the soil, of which bodies had taken out a volume
+    /// Depth of the rut, height of the berms, their volumes and what else has become of the soil, of which
+    /// bodies had taken out a volume
     /// [m³] before the start.
     #[must_use]
     pub fn figures(&self, taken_out: f64) -> SurfaceFigures {
@@ -259,7 +262,8 @@ impl HeightMap {
         each.map(|(x, [before, now])| [*x, before, now]).collect()
     }
 
-    /// Mean heights [m], at first and now, over the columns whose centres lie in `from..=to` along x, for each row along y.
+    /// Mean heights [m], at first and now, over the columns whose centres lie in `from..=to` along x, for
+    /// each row along y.
     #[must_use]
     pub fn section(&self, from: f64, to: f64) -> Vec<[f64; 3]> {
         let x = &self.centres[0];
@@ -299,7 +303,8 @@ mod tests {
         map.columns.iter().map(|column| column.z).collect()
     }
 
-    /// Two columns by two rows of unit cells whose low corner lies at a position along an axis, at heights 1 to 4.
+    /// Two columns by two rows of unit cells whose low corner lies at a position along an axis, at heights 1
+    /// to 4.
     fn map(axis: usize, at: f64) -> HeightMap {
         let mut edges = [vec![0.0, 1.0, 2.0], vec![0.0, 1.0, 2.0]];
         edges[axis].iter_mut().for_each(|edge| *edge += at);

@@ -1,4 +1,5 @@
-//! Files of a results folder: their names, how they are written (whole, or not at all) and read, and what can go wrong.
+//! Files of a results folder: their names, how they are written (whole, or not at all) and read, and what can
+//! go wrong.
 //!
 //! Every error names the file. Nothing here knows what is in a file.
 

@@ -31,8 +31,8 @@ pub fn inspect(dir: &Path) -> Result<Contents, OutputError> {
     if !dir.exists() {
         return Ok(Contents::Nothing);
     }
-    // The record names the bodies, hence the files. Without one only the files that a run writes before it are known to be
-    // ours.
+    // The record names the bodies, hence the files. Without one only the files that a run writes before it
+    // are known to be ours.
     match RunRecord::read(dir) {
         Ok(record) => return Ok(Contents::Run(Box::new(record))),
         // A run, but which files it wrote is not known; or the record is a link.
@@ -78,8 +78,8 @@ fn runs_in(folder: &Inside) -> Result<Vec<(Inside, Contents)>, OutputError> {
     runs.collect()
 }
 
-/// Removes the runs on coarser meshes and those of variations, and their folders if nothing else is in them; what no run has
-/// written stays.
+/// Removes the runs on coarser meshes and those of variations, and their folders if nothing else is in them;
+/// what no run has written stays.
 pub fn clear_beside(dir: &Path) -> Result<(), OutputError> {
     BESIDE.into_iter().try_for_each(|name| clear_runs(&Inside::of(dir, name)))
 }

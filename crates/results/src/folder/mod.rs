@@ -1,4 +1,5 @@
-//! A results folder as such: what it holds and may be cleared of, its lock, its log, and the record that identifies it.
+//! A results folder as such: what it holds and may be cleared of, its lock, its log, and the record that
+//! identifies it.
 //!
 //! One run at a time uses a folder, and files that no run has written are never touched.
 

@@ -1,5 +1,5 @@
-//! `run.json`: what a report needs in addition to the histories, the summary and the pictures. It also identifies a folder
-//! as a result of Coulter.
+//! `run.json`: what a report needs in addition to the histories, the summary and the pictures. It also
+//! identifies a folder as a result of Coulter.
 
 use super::describe::describe;
 use crate::files::{Inside, OutputError, read_json, write_json};

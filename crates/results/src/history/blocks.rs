@@ -6,19 +6,20 @@ use case::resolved::Output;
 pub const BLOCKS: usize = 8;
 /// Least number of samples in a block.
 const MIN_SAMPLES: usize = Output::FEWEST_SAMPLES / BLOCKS;
-/// 95 % quantile of Student's distribution with seven degrees of freedom: ± this many standard errors hold the mean with a
-/// probability of 90 %.
+/// 95 % quantile of Student's distribution with seven degrees of freedom: ± this many standard errors hold
+/// the mean with a probability of 90 %.
 pub const STUDENT_90: f64 = 1.895;
 
-/// The samples of each block, in order, as ranges of `count` samples; `None` if there are too few. Samples that do not fill a
-/// block are left out at the start.
+/// The samples of each block, in order, as ranges of `count` samples; `None` if there are too few. Samples
+/// that do not fill a block are left out at the start.
 fn blocks(count: usize) -> Option<[std::ops::Range<usize>; BLOCKS]> {
     let length = count / BLOCKS;
     let first = count - BLOCKS * length;
     (length >= MIN_SAMPLES).then(|| std::array::from_fn(|n| first + n * length..first + (n + 1) * length))
 }
 
-/// Averages of equally spaced `values` over [`BLOCKS`] blocks of one length; `None` if there are too few values.
+/// Averages of equally spaced `values` over [`BLOCKS`] blocks of one length; `None` if there are too few
+/// values.
 #[must_use]
 pub fn block_averages(values: &[f64]) -> Option<[f64; BLOCKS]> {
     blocks(values.len()).map(|blocks| {
@@ -31,12 +32,13 @@ pub fn block_averages(values: &[f64]) -> Option<[f64; BLOCKS]> {
 
 /// Standard error of the mean of the blocks, in their unit.
 ///
-/// With the scatter s of n block averages about their mean and the correlation ρ of neighbouring ones (0 if negative) it is
-/// s √((1 + ρ)/((1 − ρ) n)). Blocks are longer than the noise is correlated, so that their scatter includes its correlation; ρ adds
-/// that of changes slower than a block, a drift among them.
+/// With the scatter s of n block averages about their mean and the correlation ρ of neighbouring ones (0 if
+/// negative) it is s √((1 + ρ)/((1 − ρ) n)). Blocks are longer than the noise is correlated, so that their
+/// scatter includes its correlation; ρ adds that of changes slower than a block, a drift among them.
 ///
-/// Sources: Schmeiser (1982), Batch size effects in the analysis of simulation output, Operations Research 30(3); Bayley and
-/// Hammersley (1946), The "effective" number of independent observations in an autocorrelated time series, JRSS Supplement 8(2).
+/// Sources: Schmeiser (1982), Batch size effects in the analysis of simulation output, Operations Research
+/// 30(3); Bayley and Hammersley (1946), The "effective" number of independent observations in an
+/// autocorrelated time series, JRSS Supplement 8(2).
 #[must_use]
 pub fn standard_error(blocks: &[f64; BLOCKS]) -> f64 {
     let count = BLOCKS as f64;

@@ -1,5 +1,5 @@
-//! The columns of the history files: name, unit, meaning and value, from which header, lines, reading back and
-//! documentation follow.
+//! The columns of the history files: name, unit, meaning and value, from which header, lines, reading back
+//! and documentation follow.
 
 pub use super::quantities::{Column, FILTERED, FORCES, Source, header};
 use super::quantities::{derived, sampled};

@@ -4,9 +4,10 @@ use super::BodySample;
 use super::quantities::FORCES;
 use std::f64::consts::{LN_2, TAU};
 
-/// The samples with forces, moments and velocities filtered: weighted means, by a Gauss function of the time between samples, that let
-/// 1/√2 of the amplitude through at the cut-off frequency [Hz], of slow changes all, and of one at three times it 4 %. Everything else of a
-/// sample stays. At both ends the means are over what there is.
+/// The samples with forces, moments and velocities filtered: weighted means, by a Gauss function of the time
+/// between samples, that let 1/√2 of the amplitude through at the cut-off frequency [Hz], of slow changes
+/// all, and of one at three times it 4 %. Everything else of a sample stays. At both ends the means are over
+/// what there is.
 #[must_use]
 pub fn filtered(samples: &[BodySample], cutoff: f64) -> Vec<BodySample> {
     let deviation = LN_2.sqrt() / (TAU * cutoff);

@@ -3,8 +3,8 @@
 use crate::ground_column::GroundColumn;
 use serde::{Deserialize, Serialize};
 
-/// A column of the ground that a grid that travels has left behind, when it lay in the last layer of cells at the end through which the
-/// soil leaves.
+/// A column of the ground that a grid that travels has left behind, when it lay in the last layer of cells at
+/// the end through which the soil leaves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SurfacePoint {
     /// Middle of its column of cells along x [m].
@@ -39,7 +39,8 @@ impl SurfacePoint {
     }
 }
 
-/// A section across the rut of a body, over the columns that are nearest to this body. Areas are volumes per length of the tow.
+/// A section across the rut of a body, over the columns that are nearest to this body. Areas are volumes per
+/// length of the tow.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct RutSection {
@@ -49,7 +50,8 @@ pub struct RutSection {
     /// Depth of the deepest point below the undisturbed surface [m].
     #[serde(rename = "depth_m")]
     pub depth: f64,
-    /// Width between the points at which the surface rises to the undisturbed one on both sides of the deepest point [m].
+    /// Width between the points at which the surface rises to the undisturbed one on both sides of the
+    /// deepest point [m].
     #[serde(rename = "width_m")]
     pub width: f64,
     /// Area of the rut: soil displaced per length [m²].

@@ -1,5 +1,5 @@
-//! The history of a run: samples of bodies, of stress and slip along their rims, of energy and boundaries, and the ground that it
-//! has left behind.
+//! The history of a run: samples of bodies, of stress and slip along their rims, of energy and boundaries,
+//! and the ground that it has left behind.
 
 pub mod blocks;
 
@@ -19,8 +19,8 @@ pub use quantities::BodySample;
 use rim::RimHistory;
 use serde::{Deserialize, Serialize};
 
-/// One line of the history of a joint, or of a part of a body. Forces are those of the first body on the second through the joint, or
-/// of the soil on the part, averaged over the interval that ends at `time`.
+/// One line of the history of a joint, or of a part of a body. Forces are those of the first body on the
+/// second through the joint, or of the soil on the part, averaged over the interval that ends at `time`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ForceSample {
     /// Time [s].
@@ -31,14 +31,15 @@ pub struct ForceSample {
     pub force_y: f64,
     /// Along z [N].
     pub force_z: f64,
-    /// Moment about x [N m], through the joint's point of the second body, or through the reference point of the part.
+    /// Moment about x [N m], through the joint's point of the second body, or through the reference point of
+    /// the part.
     pub moment_x: f64,
     /// The same about y [N m].
     pub moment_y: f64,
     /// The same about z [N m].
     pub moment_z: f64,
-    /// Distance between the joint's points of the two bodies [m]: the length of a spring or a cable, the displacement of a slider; 0 of
-    /// a part.
+    /// Distance between the joint's points of the two bodies [m]: the length of a spring or a cable, the
+    /// displacement of a slider; 0 of a part.
     pub distance: f64,
 }
 
@@ -50,7 +51,8 @@ impl ForceSample {
     }
 }
 
-/// The largest of some values that are not negative, 0 without any; one that is not a number, if there is one.
+/// The largest of some values that are not negative, 0 without any; one that is not a number, if there is
+/// one.
 #[must_use]
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     // `max` would drop what is not a number.
@@ -84,12 +86,13 @@ pub struct EnergySample {
     pub remap_loss: f64,
     /// Soil volume over the volume at the start.
     pub volume_ratio: f64,
-    /// Volume by which the pressure compresses the soil elastically, over the volume at the start; not of sand, whose law changes its
-    /// volume in other ways, too.
+    /// Volume by which the pressure compresses the soil elastically, over the volume at the start; not of
+    /// sand, whose law changes its volume in other ways, too.
     pub compression: f64,
     /// Portion of the soil's mass that is denser than it can be.
     pub overdense: f64,
-    /// Volume of voids under soil at rest that neither a body nor cohesion carries, over that of disturbed soil.
+    /// Volume of voids under soil at rest that neither a body nor cohesion carries, over that of disturbed
+    /// soil.
     pub void: f64,
 }
 
@@ -109,7 +112,8 @@ impl EnergySample {
         self.external - explained
     }
 
-    /// Reference energy for relative figures [J]: the largest of external work, plastic dissipation and kinetic energy.
+    /// Reference energy for relative figures [J]: the largest of external work, plastic dissipation and
+    /// kinetic energy.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.external.abs().max(self.plastic.abs()).max(self.kinetic.abs())
@@ -172,12 +176,14 @@ pub struct History {
     pub energy: Vec<EnergySample>,
     /// The faces of the box.
     pub boundaries: Vec<BoundarySample>,
-    /// The surface that a grid that travels has left behind, in lines across its way; empty where the grid stands still.
+    /// The surface that a grid that travels has left behind, in lines across its way; empty where the grid
+    /// stands still.
     pub ground_left: Vec<SurfacePoint>,
 }
 
 impl History {
-    /// When a stage began and when it ended, by its number [s]; the end of one that is not over is the last sample.
+    /// When a stage began and when it ended, by its number [s]; the end of one that is not over is the last
+    /// sample.
     #[must_use]
     pub fn stage_times(&self, number: usize) -> Option<[f64; 2]> {
         let from = self.stages.get(number)?.time;

@@ -1,6 +1,7 @@
-//! The result quantities of a body, each declared here: a number of [`BodySample`], its line in [`FORCES`], and, where its mean over the
-//! steady window is a figure of the run, a number of [`Steady`] and a [`Figure`] in that line. From these follow the columns of
-//! `forces.csv`, the steady means, their intervals, and what summary, report, studies and forecasts call them.
+//! The result quantities of a body, each declared here: a number of [`BodySample`], its line in [`FORCES`],
+//! and, where its mean over the steady window is a figure of the run, a number of [`Steady`] and a [`Figure`]
+//! in that line. From these follow the columns of `forces.csv`, the steady means, their intervals, and what
+//! summary, report, studies and forecasts call them.
 
 use super::blocks::{BLOCKS, block_averages};
 use super::reference::Reference;
@@ -11,7 +12,8 @@ use std::collections::BTreeMap;
 
 /// Ratio of drag to vertical force below which a body that is not towed has no noticeable drag.
 pub const NO_DRAG: f64 = 1e-3;
-/// Part of the whole force on a body with which a smaller component is compared: relative to itself, what is almost zero is all noise.
+/// Part of the whole force on a body with which a smaller component is compared: relative to itself, what is
+/// almost zero is all noise.
 pub(crate) const LEAST_SCALE: f64 = 0.1;
 /// Part of the reference force γ t d² below which a force is none: the weight of the soil in some cells.
 const NO_FORCE: f64 = 1e-4;
@@ -42,7 +44,8 @@ pub struct Column<S: 'static> {
 pub enum Source<S: 'static> {
     /// A number of the sample; reading the file back fills it.
     Sampled(fn(&mut S) -> &mut f64),
-    /// A number that follows from the sample and the reference quantities of its body; none where it is not defined.
+    /// A number that follows from the sample and the reference quantities of its body; none where it is not
+    /// defined.
     Derived(Derived<S>),
 }
 
@@ -81,14 +84,16 @@ impl<S: Copy> Column<S> {
         self
     }
 
-    /// Makes it a quantity with a steady mean: names, symbol, what the report says beside the mean, and where the mean stands.
+    /// Makes it a quantity with a steady mean: names, symbol, what the report says beside the mean, and where
+    /// the mean stands.
     const fn figure(mut self, name: Text, words: Text, symbol: Text, note: Text, mean: MeanPlace) -> Self {
         let (scale, mesh_interval) = (None, None);
         self.figure = Some(Figure { name, words, symbol, note, mean, scale, mesh_interval });
         self
     }
 
-    /// Gives the mean intervals: what half-widths are compared with, and where that of a mesh study stands, if it knows one.
+    /// Gives the mean intervals: what half-widths are compared with, and where that of a mesh study stands,
+    /// if it knows one.
     const fn interval(mut self, scale: Scale, mesh_interval: Option<IntervalPlace>) -> Self {
         if let Some(figure) = &mut self.figure {
             (figure.scale, figure.mesh_interval) = (Some(scale), mesh_interval);
@@ -121,7 +126,8 @@ pub fn header<S: Copy>(columns: &[Column<S>]) -> String {
 /// What a quantity with a steady mean is called, and where its mean and interval stand.
 #[derive(Clone, Copy, Debug)]
 pub struct Figure {
-    /// Its name in tables of studies and in Python, such as `vertical`; with the unit its key in `summary.json`.
+    /// Its name in tables of studies and in Python, such as `vertical`; with the unit its key in
+    /// `summary.json`.
     pub name: &'static str,
     /// Its name in sentences, such as `vertical force`.
     pub words: &'static str,
@@ -175,7 +181,8 @@ impl PartialEq for Quantity {
 }
 
 impl Quantity {
-    /// All of them: forces, lengths, ratios, torques, and what has another unit, each in the order of the columns.
+    /// All of them: forces, lengths, ratios, torques, and what has another unit, each in the order of the
+    /// columns.
     #[must_use]
     pub fn all() -> Vec<Self> {
         const ORDER: [&str; 4] = ["N", "m", "-", "N m"];
@@ -238,7 +245,8 @@ impl Quantity {
         }
     }
 
-    /// Its averages over the blocks of a window; `None` if there are too few samples, or where it is not defined.
+    /// Its averages over the blocks of a window; `None` if there are too few samples, or where it is not
+    /// defined.
     pub(crate) fn blocks(&self, inside: &[BodySample], reference: &Reference) -> Option<[f64; BLOCKS]> {
         let averages = |place: fn(&mut BodySample) -> &mut f64| {
             block_averages(&inside.iter().map(|sample| *place(&mut { *sample })).collect::<Vec<_>>())
@@ -312,8 +320,8 @@ impl<'de, T: DeserializeOwned> Deserialize<'de> for Figures<T> {
     }
 }
 
-/// One line of a body's history. Forces are the soil's on the whole body, averaged over the interval that ends at
-/// `time` (impulse over time, so nothing is lost between two lines).
+/// One line of a body's history. Forces are the soil's on the whole body, averaged over the interval that
+/// ends at `time` (impulse over time, so nothing is lost between two lines).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BodySample {
     /// Time [s].
@@ -369,7 +377,8 @@ pub struct BodySample {
 }
 
 impl BodySample {
-    /// Turn ratio ω r / v of a body with these reference quantities; `None` at rest, and where it cannot roll.
+    /// Turn ratio ω r / v of a body with these reference quantities; `None` at rest, and where it cannot
+    /// roll.
     #[must_use]
     pub fn turn_ratio(&self, reference: &Reference) -> Option<f64> {
         reference.turn_ratio(self.spin, self.rolling_speed)
@@ -409,7 +418,8 @@ pub struct Steady {
     /// Mean drag of the water against the tow [N], not part of `drag`; `null` on dry ground.
     #[serde(rename = "water_drag_N")]
     pub water_drag: Option<f64>,
-    /// Mean portions of `drag` and `vertical` that excess pore pressure exerts [N]; `null` where none is computed.
+    /// Mean portions of `drag` and `vertical` that excess pore pressure exerts [N]; `null` where none is
+    /// computed.
     #[serde(rename = "pore_pressure_N")]
     pub pore_pressure: Option<[f64; 2]>,
     /// Mean sinkage [m].
@@ -424,12 +434,14 @@ pub struct Steady {
     pub axle_torque: Option<f64>,
     /// What it costs to move the body, and what it pulls.
     pub traction: Traction,
-    /// Scatter of the drag: root mean square of the drag less its moving average over 0.02 d (at least five samples),
-    /// over [`Steady::drag_scale`].
+    /// Scatter of the drag: root mean square of the drag less its moving average over 0.02 d (at least five
+    /// samples), over [`Steady::drag_scale`].
     pub drag_noise: Option<f64>,
-    /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow, and of too few samples.
+    /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow, and
+    /// of too few samples.
     pub is_steady: Option<bool>,
-    /// Interval of the mean drag [N] from a mesh study; `null` where only one mesh was run, as are the next three.
+    /// Interval of the mean drag [N] from a mesh study; `null` where only one mesh was run, as are the next
+    /// three.
     #[serde(rename = "drag_N_interval")]
     pub drag_interval: Option<[f64; 2]>,
     /// Interval of the mean vertical force [N].
@@ -443,14 +455,15 @@ pub struct Steady {
 }
 
 impl Steady {
-    /// What a component of the force on the body is compared with [N]: itself, or a tenth of the whole force where that is larger.
+    /// What a component of the force on the body is compared with [N]: itself, or a tenth of the whole force
+    /// where that is larger.
     #[must_use]
     pub fn scale(&self, component: Option<f64>) -> f64 {
         component.unwrap_or(0.0).abs().max(LEAST_SCALE * self.whole_force())
     }
 
-    /// What the drag is compared with [N]: as any component, or the thrust of a body that turns, torque over radius, where that is
-    /// larger: its pull is the difference of thrust and resistance.
+    /// What the drag is compared with [N]: as any component, or the thrust of a body that turns, torque over
+    /// radius, where that is larger: its pull is the difference of thrust and resistance.
     #[must_use]
     pub fn drag_scale(&self, reference: &Reference) -> f64 {
         let turning = reference.radius.filter(|_| reference.turns);
@@ -467,16 +480,19 @@ impl Steady {
     }
 }
 
-/// Steady means of what it costs to move a body through the soil, and of what a driven body pulls; `null` in JSON where there is none.
+/// Steady means of what it costs to move a body through the soil, and of what a driven body pulls; `null` in
+/// JSON where there is none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Traction {
-    /// Drawbar pull [N]: −F_H, what the soil pushes the body forwards with, less its weight along a slope; negative where it resists.
+    /// Drawbar pull [N]: −F_H, what the soil pushes the body forwards with, less its weight along a slope;
+    /// negative where it resists.
     #[serde(rename = "drawbar_pull_N")]
     pub drawbar_pull: Option<f64>,
     /// Specific resistance F_H/F_V: drag over the vertical force.
     pub specific_resistance: Option<f64>,
-    /// Drag over the width of the body across the tow, of one that consists of several over the sum of theirs [N/m].
+    /// Drag over the width of the body across the tow, of one that consists of several over the sum of theirs
+    /// [N/m].
     #[serde(rename = "drag_per_width_N_m")]
     pub drag_per_width: Option<f64>,
     /// Power that moves the body against its drag, F_H v [W].

@@ -33,7 +33,8 @@ fn weight_along(case: &Case, body: &Body, tow: TowDirection) -> Option<f64> {
     (rise != 0.0).then(|| rise * case.weight(body))
 }
 
-/// Dimensionless groups of one body, as far as they are known before a run; `None` where the soil is weightless.
+/// Dimensionless groups of one body, as far as they are known before a run; `None` where the soil is
+/// weightless.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Groups {
     /// Width t̄ = t/d.
@@ -78,8 +79,8 @@ pub struct Reference {
     pub kind: String,
     /// Reference length d [m]: the diameter, a block's height; 0 of a frame, which has no surface.
     pub length: f64,
-    /// Reference width t [m]: a disc's thickness, the edge of a block across the tow, the length of a cylinder across it, otherwise the
-    /// diameter; in plane strain a metre.
+    /// Reference width t [m]: a disc's thickness, the edge of a block across the tow, the length of a
+    /// cylinder across it, otherwise the diameter; in plane strain a metre.
     pub width: f64,
     /// Width of all its surfaces across the tow at the start [m]; in plane strain a metre.
     #[serde(default)]
@@ -93,10 +94,12 @@ pub struct Reference {
     /// The direction of its tow.
     #[serde(default)]
     pub tow: TowDirection,
-    /// Weight of the body against its tow along the slope of the ground [N], negative downhill; `None` where the tow is level.
+    /// Weight of the body against its tow along the slope of the ground [N], negative downhill; `None` where
+    /// the tow is level.
     #[serde(default)]
     pub weight_along: Option<f64>,
-    /// 1 of a body that is driven in yaw to the left and does not turn about an axle, −1 to the right; 0 of any other.
+    /// 1 of a body that is driven in yaw to the left and does not turn about an axle, −1 to the right; 0 of
+    /// any other.
     #[serde(default)]
     pub yaw_drive: f64,
     /// Whether it rotates about its axle.
@@ -160,8 +163,8 @@ impl Reference {
         (self.length > 0.0).then(|| length / self.length)
     }
 
-    /// A number of this SI unit, made dimensionless: a force, a length or a torque over its reference, a ratio as it is; `None` without a
-    /// reference.
+    /// A number of this SI unit, made dimensionless: a force, a length or a torque over its reference, a
+    /// ratio as it is; `None` without a reference.
     #[must_use]
     pub fn group(&self, unit: &str, number: f64) -> Option<f64> {
         match unit {
@@ -173,8 +176,8 @@ impl Reference {
         }
     }
 
-    /// Turn ratio ω r / v with v in the direction in which the body rolls: 1 rolls without slip, 0 slides without rotation; `None`
-    /// at rest or without a radius.
+    /// Turn ratio ω r / v with v in the direction in which the body rolls: 1 rolls without slip, 0 slides
+    /// without rotation; `None` at rest or without a radius.
     #[must_use]
     pub fn turn_ratio(&self, spin: f64, speed: f64) -> Option<f64> {
         self.radius.filter(|_| speed.abs() > REST).map(|radius| spin * radius / speed)

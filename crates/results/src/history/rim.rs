@@ -1,12 +1,13 @@
-//! The distribution of stress and slip along the rim of a body: sums over time, and their average over a window.
+//! The distribution of stress and slip along the rim of a body: sums over time, and their average over a
+//! window.
 
 use case::output_size::MOST_RIM_RECORDS;
 use serde::{Deserialize, Serialize};
 use solver::model::RimBin;
 use solver::state::RimSums;
 
-/// Normal stress over the largest along the rim below which a change of sign of the slip does not count (chosen: at the ends
-/// of the contact a few grains slide one way and the other).
+/// Normal stress over the largest along the rim below which a change of sign of the slip does not count
+/// (chosen: at the ends of the contact a few grains slide one way and the other).
 const LOADED: f64 = 0.02;
 /// Slip over its largest magnitude along the rim up to which the soil sticks to the body (chosen).
 const STICKING: f64 = 0.01;
@@ -18,8 +19,8 @@ pub struct RimRecord {
     pub number: usize,
     /// Time [s].
     pub time: f64,
-    /// Sums since the start over each bin, and last over the flanks; of the modelled portion, the impulse [N s] of the whole
-    /// body, along its tow, across it and upwards.
+    /// Sums since the start over each bin, and last over the flanks; of the modelled portion, the impulse [N
+    /// s] of the whole body, along its tow, across it and upwards.
     pub sums: Vec<RimSums>,
 }
 
@@ -36,7 +37,8 @@ pub struct RimHistory {
     pub records: Vec<RimRecord>,
 }
 
-/// Stress and slip in one bin of a rim, averaged over time and area; not-a-number where a number is not defined.
+/// Stress and slip in one bin of a rim, averaged over time and area; not-a-number where a number is not
+/// defined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RimLine {
     /// Polar angle of its middle about the axle from straight below [rad].
@@ -75,8 +77,9 @@ pub struct RimLine {
     pub vertical: f64,
 }
 
-/// A place on a rim where the slip along the outline changes its sign: from where it has fallen to a hundredth of its largest
-/// magnitude to where it has risen to that again in the other direction. In between the soil sticks to the body.
+/// A place on a rim where the slip along the outline changes its sign: from where it has fallen to a
+/// hundredth of its largest magnitude to where it has risen to that again in the other direction. In between
+/// the soil sticks to the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SlipReversal {
     /// Polar angle about the axle at which it begins, from straight below, positive towards the front [rad].
@@ -135,8 +138,8 @@ impl RimHistory {
         }
     }
 
-    /// The average from a time to a later one [s], or rather between the records next to these; none where no time passes
-    /// between them.
+    /// The average from a time to a later one [s], or rather between the records next to these; none where no
+    /// time passes between them.
     #[must_use]
     pub fn average(&self, [from, to]: [f64; 2]) -> Option<RimAverage> {
         let begin = self.records.iter().rev().find(|record| record.time <= from).or(self.records.first())?;
@@ -195,8 +198,8 @@ fn line(bin: &RimBin, sums: &RimSums, duration: f64, whole: f64) -> RimLine {
     }
 }
 
-/// Where the slip along the outline changes its sign, in a stretch of bins that are all loaded: there the zones of flow meet
-/// under a body that turns.
+/// Where the slip along the outline changes its sign, in a stretch of bins that are all loaded: there the
+/// zones of flow meet under a body that turns.
 #[must_use]
 pub fn slip_reversals(lines: &[RimLine]) -> Vec<SlipReversal> {
     let is_loaded = loaded(lines);
@@ -223,8 +226,8 @@ pub fn slip_reversals(lines: &[RimLine]) -> Vec<SlipReversal> {
     reversals
 }
 
-/// Where the shear stress along the outline changes its sign between two neighbouring bins that are both loaded; in soil that
-/// sticks to the body, too, where there is no slip to tell.
+/// Where the shear stress along the outline changes its sign between two neighbouring bins that are both
+/// loaded; in soil that sticks to the body, too, where there is no slip to tell.
 #[must_use]
 pub fn shear_reversals(lines: &[RimLine]) -> Vec<RimPlace> {
     let is_loaded = loaded(lines);
@@ -243,7 +246,8 @@ fn loaded(lines: &[RimLine]) -> impl Fn(&RimLine) -> bool + use<> {
     move |line| most > 0.0 && line.normal_stress >= LOADED * most
 }
 
-/// Angle and arc at which a value falls from that of a line to a smaller magnitude with the same sign, towards the next line.
+/// Angle and arc at which a value falls from that of a line to a smaller magnitude with the same sign,
+/// towards the next line.
 fn falls_to(size: f64, value: f64, next: f64, [from, to]: [&RimLine; 2]) -> [f64; 2] {
     let fraction = (value.abs() - size) / (value.abs() - value.signum() * next);
     [from.angle + fraction * (to.angle - from.angle), from.arc + fraction * (to.arc - from.arc)]

@@ -58,8 +58,9 @@ fn along(samples: &[BodySample], reference: &Reference) -> Vec<f64> {
     }
 }
 
-/// The samples from the first that has passed `begin` to the first that has reached `end`: a body that stops before the end
-/// of the run is no longer towed, and the rest is cut off. `span` is the whole way, with its sign.
+/// The samples from the first that has passed `begin` to the first that has reached `end`: a body that stops
+/// before the end of the run is no longer towed, and the rest is cut off. `span` is the whole way, with its
+/// sign.
 fn between(along: &[f64], [begin, end]: [f64; 2], span: f64) -> Range<usize> {
     let passed = |x: f64, at: f64| if span >= 0.0 { x >= at } else { x <= at };
     let last = along.iter().position(|x| passed(*x, end - 1e-6 * span)).map_or(along.len(), |n| n + 1);
@@ -82,7 +83,8 @@ impl From<f64> for SteadyPart {
     }
 }
 
-/// A body of a run over its steady window: the last fraction of the tow, or of the time for a body that is not towed.
+/// A body of a run over its steady window: the last fraction of the tow, or of the time for a body that is
+/// not towed.
 #[derive(Clone, Debug)]
 pub struct SteadyWindow<'a> {
     /// The reference quantities of the body.
@@ -112,8 +114,8 @@ impl<'a> SteadyWindow<'a> {
         Self::over(samples, reference, first + inside.start..first + inside.end)
     }
 
-    /// The window of another run that `other` was averaged over; `None` where the body has not come that far, but for one per cent of
-    /// the window and the distance of two samples.
+    /// The window of another run that `other` was averaged over; `None` where the body has not come that far,
+    /// but for one per cent of the window and the distance of two samples.
     #[must_use]
     pub fn same(samples: &'a [BodySample], reference: &'a Reference, other: &Steady) -> Option<Self> {
         let [begin, end] = if is_tow(samples, reference) {

@@ -18,7 +18,8 @@ impl MeshStudy {
         }
     }
 
-    /// The checks of the study; a figure without an interval is doubtful. `is_towed` says which of the bodies are.
+    /// The checks of the study; a figure without an interval is doubtful. `is_towed` says which of the bodies
+    /// are.
     #[must_use]
     pub fn checks(&self, bodies: &[BodySetting], is_towed: impl Fn(&str) -> bool) -> Vec<Check> {
         let mut checks = Vec::new();

@@ -1,10 +1,12 @@
-//! The grid-convergence index: how far a figure on the finest mesh may be from that on an infinitely fine one.
+//! The grid-convergence index: how far a figure on the finest mesh may be from that on an infinitely fine
+//! one.
 //!
-//! The equations, their symbols and the reasons for the constants are in `docs/theory/mesh-study.md`. Sources: Roache (1994),
-//! Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng. 116; Roache (1998), Verification and
-//! validation in computational science and engineering; Celik et al. (2008), Procedure for estimation and reporting of
-//! uncertainty due to discretization in CFD applications, J. Fluids Eng. 130; Stern et al. (2001), Comprehensive approach to
-//! verification and validation of CFD simulations, J. Fluids Eng. 123.
+//! The equations, their symbols and the reasons for the constants are in `docs/theory/mesh-study.md`.
+//! Sources: Roache (1994), Perspective: a method for uniform reporting of grid refinement studies, J. Fluids
+//! Eng. 116; Roache (1998), Verification and validation in computational science and engineering; Celik et
+//! al. (2008), Procedure for estimation and reporting of uncertainty due to discretization in CFD
+//! applications, J. Fluids Eng. 130; Stern et al. (2001), Comprehensive approach to verification and
+//! validation of CFD simulations, J. Fluids Eng. 123.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,13 +14,14 @@ use serde::{Deserialize, Serialize};
 pub const SAFETY_CONVERGING: f64 = 1.25;
 /// Safety factor where they do not, or where there are two (Roache 1994).
 pub const SAFETY_OTHERWISE: f64 = 3.0;
-/// Order that is assumed where none is observed: that of free surfaces and contact, which are placed to a fraction of a cell.
+/// Order that is assumed where none is observed: that of free surfaces and contact, which are placed to a
+/// fraction of a cell.
 pub const ASSUMED_ORDER: f64 = 1.0;
-/// Least observed order that counts as convergence (Oberkampf and Roy 2010, Verification and validation in scientific
-/// computing, section 8.8): below it the extrapolation divides by almost nothing.
+/// Least observed order that counts as convergence (Oberkampf and Roy 2010, Verification and validation in
+/// scientific computing, section 8.8): below it the extrapolation divides by almost nothing.
 pub const LEAST_ORDER: f64 = 0.5;
-/// Largest order that is used: the differences and the transport of the solver are of second order at best, so that a higher
-/// one is an accident.
+/// Largest order that is used: the differences and the transport of the solver are of second order at best,
+/// so that a higher one is an accident.
 pub const LARGEST_ORDER: f64 = 2.0;
 /// Largest order that is searched for: beyond it the finest two values are equal in all but the last digits.
 const MAX_OBSERVED: f64 = 50.0;
@@ -36,7 +39,8 @@ pub struct OnMesh {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Convergence {
-    /// Observed order of convergence; `null` with two meshes, and where the differences do not shrink with one sign.
+    /// Observed order of convergence; `null` with two meshes, and where the differences do not shrink with
+    /// one sign.
     pub observed_order: Option<f64>,
     /// Order that the index is calculated with.
     pub order: f64,
@@ -51,8 +55,8 @@ pub struct Convergence {
 }
 
 impl Convergence {
-    /// The convergence of a figure on meshes from coarse to fine, of which the finest three count; `None` with fewer than two,
-    /// with values that are not numbers and with widths that do not fall.
+    /// The convergence of a figure on meshes from coarse to fine, of which the finest three count; `None`
+    /// with fewer than two, with values that are not numbers and with widths that do not fall.
     #[must_use]
     pub fn of(meshes: &[OnMesh]) -> Option<Self> {
         let is_usable = |m: &OnMesh| m.value.is_finite() && m.width.is_finite() && m.width > 0.0;
@@ -79,7 +83,8 @@ impl Convergence {
         let observed_order = observed_order(three);
         let is_monotonic = Some(first * last > 0.0);
         let Some(order) = observed_order.filter(|p| *p >= LEAST_ORDER).map(|p| p.min(LARGEST_ORDER)) else {
-            // Where the finest two values agree by accident, the range of the three still says how far off they may be.
+            // Where the finest two values agree by accident, the range of the three still says how far off
+            // they may be.
             let values = three.map(|m| m.value);
             let range = values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
                 - values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -103,7 +108,8 @@ impl Convergence {
     }
 }
 
-/// Richardson's extrapolation of two values, coarse and fine, to h = 0 for an order of convergence p: f₁ + (f₁ − f₂)/(r^p − 1).
+/// Richardson's extrapolation of two values, coarse and fine, to h = 0 for an order of convergence p: f₁ +
+/// (f₁ − f₂)/(r^p − 1).
 #[must_use]
 pub fn extrapolated([coarse, fine]: &[OnMesh; 2], order: f64) -> f64 {
     fine.value + (fine.value - coarse.value) / ((coarse.width / fine.width).powf(order) - 1.0)
@@ -114,9 +120,9 @@ fn error([coarse, fine]: &[OnMesh; 2], order: f64) -> f64 {
     (fine.value - coarse.value).abs() / ((coarse.width / fine.width).powf(order) - 1.0)
 }
 
-/// Observed order of convergence p from three meshes, coarse to fine, whose ratios of refinement r need not be equal: the
-/// positive solution of (f₂ − f₃)/(f₁ − f₂) = r₂₁^p (r₃₂^p − 1)/(r₂₁^p − 1), index 1 for the finest. `None` where the differences do
-/// not shrink with one sign.
+/// Observed order of convergence p from three meshes, coarse to fine, whose ratios of refinement r need not
+/// be equal: the positive solution of (f₂ − f₃)/(f₁ − f₂) = r₂₁^p (r₃₂^p − 1)/(r₂₁^p − 1), index 1 for the
+/// finest. `None` where the differences do not shrink with one sign.
 ///
 /// Source: Celik et al. (2008), equation 5.
 #[must_use]
@@ -194,7 +200,8 @@ mod tests {
     fn a_higher_order_than_the_second_is_not_believed() {
         let found = on(&[[2.25, 10.0], [1.5, 12.0], [1.0, 12.1]]);
         assert!(found.observed_order.unwrap() > 7.0 && found.order == 2.0);
-        // The difference of the coarser two, carried to the finest mesh with the second order: 2/(1.5² − 1)/1.5².
+        // The difference of the coarser two, carried to the finest mesh with the second order: 2/(1.5² −
+        // 1)/1.5².
         assert!((found.mesh_half_width - 1.25 * 2.0 / 1.25 / 2.25).abs() < 1e-12, "{found:?}");
     }
 

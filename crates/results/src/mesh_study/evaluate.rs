@@ -133,7 +133,8 @@ impl BodyRun<'_> {
         (!is_steady.unwrap_or_else(|| self.is_level())).then(|| format!("{mesh} is not steady"))
     }
 
-    /// Whether the vertical force of a body that is not towed changes over the window by less than that of one that is may.
+    /// Whether the vertical force of a body that is not towed changes over the window by less than that of
+    /// one that is may.
     fn is_level(&self) -> bool {
         debug_assert!(!self.window.is_towed());
         let scale = self.window.steady.scale(self.window.steady.vertical);

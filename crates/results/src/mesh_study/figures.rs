@@ -24,7 +24,8 @@ pub struct MeshResult {
     pub folder: String,
     /// Cell size in the fine zone, `grid.cell` [m].
     pub cell_m: f64,
-    /// Representative cell width h [m]: the geometric mean of the smallest widths along x, y and z, in plane strain along x and z.
+    /// Representative cell width h [m]: the geometric mean of the smallest widths along x, y and z, in plane
+    /// strain along x and z.
     pub width_m: f64,
     /// Cells of the grid.
     pub cells: u64,
@@ -66,15 +67,17 @@ pub struct BodyStudy {
 pub struct MeshInterval {
     /// The value on the finest mesh ± the half-width, in the unit of the figure.
     pub interval: [f64; 2],
-    /// Half-width of the interval, in the unit of the figure: the root of the sum of the squares of its two parts.
+    /// Half-width of the interval, in the unit of the figure: the root of the sum of the squares of its two
+    /// parts.
     pub half_width: f64,
     /// Its statistical part: how far the mean over the window may be from that of a long tow (90 %).
     pub statistical_half_width: f64,
     /// Its part due to the mesh, and what that follows from.
     #[serde(flatten)]
     pub convergence: Convergence,
-    /// Grid-convergence index: the part due to the mesh over the value. Of a drag below a tenth of the vertical force it is over
-    /// that tenth, of the turn ratio over 1. `null` where the value is 0 and the part is not.
+    /// Grid-convergence index: the part due to the mesh over the value. Of a drag below a tenth of the
+    /// vertical force it is over that tenth, of the turn ratio over 1. `null` where the value is 0 and the
+    /// part is not.
     pub index: Option<f64>,
     /// Half-width of the interval over the same.
     pub relative_half_width: Option<f64>,

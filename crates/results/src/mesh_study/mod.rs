@@ -1,5 +1,5 @@
-//! One case on several meshes: how its figures converge, and intervals that hold what an infinitely fine mesh and a long tow
-//! would give.
+//! One case on several meshes: how its figures converge, and intervals that hold what an infinitely fine mesh
+//! and a long tow would give.
 //!
 //! It is calculated from histories and grades alone; `run` makes them, `output` reads them.
 

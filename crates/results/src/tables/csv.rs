@@ -1,8 +1,9 @@
-//! `forces.csv`, `part_NAME.csv`, `joint_NAME.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
-//! units in the header; and `filtered.csv`, `rim.csv`, `rut.csv` and `height_map.csv`, written at the end of a run.
+//! `forces.csv`, `part_NAME.csv`, `joint_NAME.csv`, `energy.csv`, `boundaries.csv` and, of a grid that
+//! travels, `ground_left.csv`: the histories as tables with units in the header; and `filtered.csv`,
+//! `rim.csv`, `rut.csv` and `height_map.csv`, written at the end of a run.
 //!
-//! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
-//! resumed run rewrites them from the history of the checkpoint.
+//! The files are kept open during the run and flushed after every block, so that a killed run leaves whole
+//! lines; a resumed run rewrites them from the history of the checkpoint.
 
 use super::table::{Table, push_line};
 use crate::files::{Inside, Named, OutputError, file_safe, write_whole};
@@ -27,7 +28,8 @@ pub(crate) const GROUND_LEFT_FILE: &str = "ground_left.csv";
 /// Name of the file with the surface of the ground at the end.
 pub(crate) const HEIGHT_MAP_FILE: &str = "height_map.csv";
 
-/// Name of the file that holds a body's history: `forces.csv`, or `forces_NAME.csv` when there are several bodies.
+/// Name of the file that holds a body's history: `forces.csv`, or `forces_NAME.csv` when there are several
+/// bodies.
 #[must_use]
 pub fn forces_name(names: &[String], body: usize) -> String {
     name_of("forces", names, body)
@@ -74,7 +76,8 @@ pub fn rim_name(names: &[String], body: usize) -> String {
     name_of("rim", names, body)
 }
 
-/// Name of the file of a body's filtered forces: `filtered.csv`, or `filtered_NAME.csv` when there are several bodies.
+/// Name of the file of a body's filtered forces: `filtered.csv`, or `filtered_NAME.csv` when there are
+/// several bodies.
 #[must_use]
 pub fn filtered_name(names: &[String], body: usize) -> String {
     name_of("filtered", names, body)
@@ -273,8 +276,8 @@ fn read<S: Copy + Default>(
     Ok(samples)
 }
 
-/// Reads all histories of a results folder back. Those of a killed run may end in the middle of a line, and one file may
-/// have more lines than another: `is_whole` says that this cannot be.
+/// Reads all histories of a results folder back. Those of a killed run may end in the middle of a line, and
+/// one file may have more lines than another: `is_whole` says that this cannot be.
 ///
 /// # Errors
 /// When a file is missing or broken.

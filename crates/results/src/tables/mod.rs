@@ -1,7 +1,7 @@
 //! Tables of numbers as text: comma-separated, a header with units, nothing where there is no number.
 //!
-//! The histories of a run follow the columns of `history::columns`. Whole lines are flushed as they come, so that a killed
-//! run leaves whole lines; what is read back is checked.
+//! The histories of a run follow the columns of `history::columns`. Whole lines are flushed as they come, so
+//! that a killed run leaves whole lines; what is read back is checked.
 
 mod csv;
 mod table;

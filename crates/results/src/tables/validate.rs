@@ -5,8 +5,8 @@ use crate::history::History;
 use crate::history::columns::{Column, ENERGY, FORCES};
 use crate::history::reference::Reference;
 
-/// Refuses a history that no run can have written: without lines, with times that are not finite or do not increase, with
-/// forces, sinkages or energies that are not numbers.
+/// Refuses a history that no run can have written: without lines, with times that are not finite or do not
+/// increase, with forces, sinkages or energies that are not numbers.
 ///
 /// Lines are numbered as in an editor: the header is line 1.
 ///

@@ -54,9 +54,10 @@ impl BodyChecks<'_> {
         Check::of(limit, Some(&self.body.name), value)
     }
 
-    /// Soil inside the body over the volume of the body that soil surrounds [%], its mean over the window, as of forces, or at the end
-    /// where that is more; 0 for a body that hardly touches the soil. That of a body that was never below the surface, as of a tray that
-    /// carries soil, is the most of the run over its whole volume: what has passed through its floor has left it at the end.
+    /// Soil inside the body over the volume of the body that soil surrounds [%], its mean over the window, as
+    /// of forces, or at the end where that is more; 0 for a body that hardly touches the soil. That of a body
+    /// that was never below the surface, as of a tray that carries soil, is the most of the run over its
+    /// whole volume: what has passed through its floor has left it at the end.
     fn leak(&self, inside: &[BodySample]) -> f64 {
         let cell: f64 = self.body.cell.iter().product();
         let relative = |leaked: f64, volume: f64| {
@@ -98,13 +99,15 @@ impl BodyChecks<'_> {
         checks
     }
 
-    /// The change of a quantity over the window relative to its size; `None` where the window has too few samples.
+    /// The change of a quantity over the window relative to its size; `None` where the window has too few
+    /// samples.
     pub(super) fn trend(&self, limit: &'static Limit, trend: Option<Trend>, scale: f64) -> Option<Check> {
         let change = |trend: Trend| if scale > 0.0 { 100.0 * trend.change.abs() / scale } else { 0.0 };
         trend.map(|trend| self.check(limit, change(trend)))
     }
 
-    /// Contribution of the soil's momentum to the force: dynamic pressure on the embedded portion of the front.
+    /// Contribution of the soil's momentum to the force: dynamic pressure on the embedded portion of the
+    /// front.
     fn inertia(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
         let depth = steady.sinkage.filter(|z| *z > 0.0)?;
         let force = steady.drag?.hypot(steady.vertical?);
@@ -131,7 +134,8 @@ impl BodyChecks<'_> {
         Some(if is_accepted { Check { verdict: Verdict::Doubtful, ..check } } else { check })
     }
 
-    /// How far the turn ratio of a wheel without torque lies outside its physical range, unless the wheel stands.
+    /// How far the turn ratio of a wheel without torque lies outside its physical range, unless the wheel
+    /// stands.
     fn free_wheel(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
         let ratio = steady.turn_ratio.filter(|_| self.body.turns_freely && is_tow(inside, self.reference))?;
         Some(self.check(&limits::FREE_WHEEL, (-ratio).max(ratio - 1.0).max(0.0)))
@@ -186,8 +190,9 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The sinkage matters for a towed body and for a round one, not for a flat base that is pressed down; the chord for all
-    /// but a towed body with a flat front. Neither is defined for a body that is above the ground all the time.
+    /// The sinkage matters for a towed body and for a round one, not for a flat base that is pressed down;
+    /// the chord for all but a towed body with a flat front. Neither is defined for a body that is above the
+    /// ground all the time.
     #[must_use]
     pub fn of(body: &BodySetting, window: &SteadyWindow<'_>) -> Self {
         if window.samples.iter().all(|s| s.sinkage <= 0.0 && s.embedded_volume <= 0.0) {

@@ -5,7 +5,8 @@ use super::limits;
 use super::setting::{BodySetting, Setting};
 use crate::history::{BodySample, EnergySample, History};
 
-/// The way of a body from its first sample to each [m]: of its reference point, and of its surface as it rotates.
+/// The way of a body from its first sample to each [m]: of its reference point, and of its surface as it
+/// rotates.
 pub(super) fn way(samples: &[BodySample], radius: f64) -> Vec<f64> {
     let mut sum = 0.0;
     let mut add = |pair: &[BodySample]| {
@@ -23,7 +24,8 @@ pub(super) fn radius(body: &BodySetting) -> f64 {
     0.5 * body.extent.into_iter().flatten().fold(0.0, f64::max)
 }
 
-/// The force of the soil in the steady window, in weights of a cell of soil; not in the first sample of a run, before any step.
+/// The force of the soil in the steady window, in weights of a cell of soil; not in the first sample of a
+/// run, before any step.
 pub(super) fn of_body(
     setting: &Setting,
     body: &BodySetting,

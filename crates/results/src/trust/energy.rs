@@ -24,7 +24,8 @@ pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
     ]
 }
 
-/// Change of the soil volume that pressure does not account for [%], unless the soil is expected to change it so.
+/// Change of the soil volume that pressure does not account for [%], unless the soil is expected to change it
+/// so.
 fn volume_change(setting: &Setting, start: &EnergySample, end: &EnergySample) -> f64 {
     let change = 100.0 * (end.volume_ratio - 1.0 + end.compression - start.compression);
     let [compacts, dilates] = setting.changes_volume;
@@ -64,7 +65,8 @@ pub(super) fn boundary_checks(setting: &Setting, history: &History) -> Vec<Check
     checks
 }
 
-/// Force on the lid over that on the bodies [%]; without a body that meets soil, 1 as soon as soil touches the lid.
+/// Force on the lid over that on the bodies [%]; without a body that meets soil, 1 as soon as soil touches
+/// the lid.
 fn lid_force_ratio(setting: &Setting, [force, area]: [f64; 2], history: &History) -> f64 {
     let most = (0..history.boundaries.len()).map(|n| body_force(history, n)).fold(0.0, f64::max);
     if most > setting.least_force() {
@@ -81,9 +83,10 @@ pub fn body_force(history: &History, n: usize) -> f64 {
     history.bodies.iter().filter_map(|samples| samples.get(n)).map(BodySample::force).sum()
 }
 
-/// Mean rise of the pressure at walls and floor over the mean contact pressure [%], in the last third of the run. The contact pressure
-/// is the force on a body over its area projected along the force; one below a tenth of the vertical pressure at the floor counts as
-/// that, since a rise is then a change of the soil's own stress.
+/// Mean rise of the pressure at walls and floor over the mean contact pressure [%], in the last third of the
+/// run. The contact pressure is the force on a body over its area projected along the force; one below a
+/// tenth of the vertical pressure at the floor counts as that, since a rise is then a change of the soil's
+/// own stress.
 fn stress_ratio(setting: &Setting, history: &History) -> Option<f64> {
     /// Chosen: as for components of a force.
     const LEAST: f64 = 0.1;
@@ -101,8 +104,8 @@ fn stress_ratio(setting: &Setting, history: &History) -> Option<f64> {
     (scale > 0.0 && has_surfaces).then(|| 100.0 * rise.max(0.0) / scale)
 }
 
-/// Force on a body over its projected area: its embedded front, and its base [Pa]; of a body that is turned at least its torque over
-/// arm and area of the surface that it shears.
+/// Force on a body over its projected area: its embedded front, and its base [Pa]; of a body that is turned
+/// at least its torque over arm and area of the surface that it shears.
 fn contact_pressure(body: &BodySetting, sample: &BodySample) -> f64 {
     let [length, width, height] = [0, 1, 2].map(|axis| body.extent[axis].unwrap_or(body.cell[axis]));
     let depth = sample.sinkage.min(height).max(body.cell[2]);

@@ -1,4 +1,5 @@
-//! The checks of the forces that a report shows besides the drag: whether they are noisy, and whether they are steady.
+//! The checks of the forces that a report shows besides the drag: whether they are noisy, and whether they
+//! are steady.
 
 use super::body::BodyChecks;
 use super::check::Check;
@@ -9,8 +10,8 @@ use crate::history::BodySample;
 use crate::history::quantities::{LEAST_SCALE, Steady};
 use crate::history::steady::{NOISE_WIDTH, moving_average};
 
-/// Part of the whole force with which a vertical or lateral one is compared where it is less: a component below a third of it is not
-/// what a run is made for (chosen).
+/// Part of the whole force with which a vertical or lateral one is compared where it is less: a component
+/// below a third of it is not what a run is made for (chosen).
 const MINOR: f64 = 0.3;
 
 /// A force or torque of a body, as long as it is shown.
@@ -26,13 +27,14 @@ struct Shown {
 }
 
 impl BodyChecks<'_> {
-    /// Noise and change of the vertical force of a body that is held or moved vertically, of its lateral force, and of the torque that
-    /// turns it.
+    /// Noise and change of the vertical force of a body that is held or moved vertically, of its lateral
+    /// force, and of the torque that turns it.
     pub(super) fn forces(&self, inside: &[BodySample], steady: &Steady, is_towed: bool) -> Vec<Check> {
         self.shown(steady, is_towed).into_iter().flat_map(|force| self.of_force(&force, inside)).collect()
     }
 
-    /// Whether the vertical force of a body that does not bear its weight is a considerable part of the whole.
+    /// Whether the vertical force of a body that does not bear its weight is a considerable part of the
+    /// whole.
     pub(super) fn shows_vertical(&self, steady: &Steady) -> bool {
         let vertical = steady.vertical.unwrap_or(0.0).abs();
         !self.body.heaves_freely && vertical > (MINOR * steady.whole_force()).max(self.setting.least_force())

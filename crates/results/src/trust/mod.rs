@@ -1,7 +1,7 @@
 //! Whether the results of a run can be trusted: a verdict for every check, and an overall one.
 //!
-//! The checks use histories and a few facts about the case ([`Setting`]), so that a killed run, a finished one and one that
-//! is still running are graded by the same rules. Their limits are in one table, [`limits`].
+//! The checks use histories and a few facts about the case ([`Setting`]), so that a killed run, a finished
+//! one and one that is still running are graded by the same rules. Their limits are in one table, [`limits`].
 
 pub mod body;
 mod check;
@@ -43,7 +43,8 @@ fn unusual(setting: &Setting) -> Option<Check> {
 }
 
 impl Trust {
-    /// Grades a run by its history; `part` is what averages are taken over, `failure` says why the run broke down, if it did.
+    /// Grades a run by its history; `part` is what averages are taken over, `failure` says why the run broke
+    /// down, if it did.
     #[must_use]
     pub fn grade(
         setting: &Setting,

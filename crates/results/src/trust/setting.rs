@@ -19,12 +19,13 @@ pub struct Setting {
     pub courant: f64,
     /// Whether the soil compacts, and whether it dilates, so that a change of its volume is expected.
     pub changes_volume: [bool; 2],
-    /// Strength of the soil without normal stress [Pa]: c or s_u at its top; 0 of soil that has none, or that does not fail.
+    /// Strength of the soil without normal stress [Pa]: c or s_u at its top; 0 of soil that has none, or that
+    /// does not fail.
     pub cohesion: f64,
     /// Mass of the box filled with soil [kg].
     pub mass: f64,
-    /// Energies below this are none [J]: 10⁻¹² of the soil's weight times the box's height, or a thousandth of the work that lifts
-    /// one cell of soil by its own height.
+    /// Energies below this are none [J]: 10⁻¹² of the soil's weight times the box's height, or a thousandth
+    /// of the work that lifts one cell of soil by its own height.
     pub energy_floor: f64,
     /// Relative rounding error of the elastic energy: 16 times that of a number in the precision of the run.
     pub rounding: f64,
@@ -42,7 +43,8 @@ pub struct Setting {
     pub drainage_per_speed: Option<f64>,
     /// Whether the soil is taken for drained, whatever its drainage number.
     pub accepts_drained: bool,
-    /// Rise of the pressure in a closed box over what the soil bears, per volume of a body that enters [1/m³]; `None` for open ground.
+    /// Rise of the pressure in a closed box over what the soil bears, per volume of a body that enters
+    /// [1/m³]; `None` for open ground.
     pub pumped_per_volume: Option<f64>,
     /// What no soil, body or tow has, each a sentence.
     pub unusual: Vec<String>,
@@ -58,10 +60,11 @@ pub struct BodySetting {
     pub name: String,
     /// Smallest cell widths along the axes of its extent [m]; in plane strain the width of the body across.
     pub cell: [f64; 3],
-    /// Its extent along its own axes [m]: that next to its tow (of what rolls, that in which it does), across and upwards; `None`
-    /// across the slab of plane strain.
+    /// Its extent along its own axes [m]: that next to its tow (of what rolls, that in which it does), across
+    /// and upwards; `None` across the slab of plane strain.
     pub extent: [Option<f64>; 3],
-    /// Its thickness across [m], less than the extent of a dished disc; `None` across the slab of plane strain.
+    /// Its thickness across [m], less than the extent of a dished disc; `None` across the slab of plane
+    /// strain.
     pub thickness: Option<f64>,
     /// Diameter of a body that is round in the plane of the tow [m].
     pub diameter: Option<f64>,
@@ -71,7 +74,8 @@ pub struct BodySetting {
     pub heaves_freely: bool,
     /// Whether it rotates freely.
     pub turns_freely: bool,
-    /// The axis about which a prescribed motion turns it: 0 for x (tilt), 1 for its axle (spin), 2 for z (yaw).
+    /// The axis about which a prescribed motion turns it: 0 for x (tilt), 1 for its axle (spin), 2 for z
+    /// (yaw).
     pub turned_about: Option<usize>,
     /// Its volume [m³]; in plane strain that of a metre.
     pub volume: f64,
@@ -121,15 +125,17 @@ impl Setting {
         }
     }
 
-    /// The least force that means anything [N]: the weight of the soil in one cell, and its cohesion over the cell's face.
+    /// The least force that means anything [N]: the weight of the soil in one cell, and its cohesion over the
+    /// cell's face.
     #[must_use]
     pub fn least_force(&self) -> f64 {
         let [x, y, z] = self.cell;
         (self.gravity * self.density * z + self.cohesion) * x * y
     }
 
-    /// Error of the energy balance at a sample: energy that neither an entry nor rounding explains, over the largest of external work,
-    /// plastic dissipation and kinetic energy, or over the least energy that means anything.
+    /// Error of the energy balance at a sample: energy that neither an entry nor rounding explains, over the
+    /// largest of external work, plastic dissipation and kinetic energy, or over the least energy that means
+    /// anything.
     #[must_use]
     pub fn closure(&self, sample: &EnergySample) -> f64 {
         let (unexplained, scale) = (sample.unexplained(), self.energy_scale(sample));
@@ -145,9 +151,9 @@ impl Setting {
     }
 }
 
-/// What rounding may leave of the elastic energy, in rounding errors of one number. The soil moves until rounded stresses balance its
-/// rounded weight, by the error times its settlement under its own weight, which is six times its energy at rest; it overshoots by
-/// twice that.
+/// What rounding may leave of the elastic energy, in rounding errors of one number. The soil moves until
+/// rounded stresses balance its rounded weight, by the error times its settlement under its own weight, which
+/// is six times its energy at rest; it overshoots by twice that.
 const ROUNDING: f64 = 16.0;
 
 /// Relative error of a number in the precision of a run.
@@ -158,7 +164,8 @@ fn epsilon(precision: Precision) -> f64 {
     }
 }
 
-/// Mean elastic energy density of the soil at rest [J/m³]: σ_v²/2E over the depth, without lateral support, which makes it less.
+/// Mean elastic energy density of the soil at rest [J/m³]: σ_v²/2E over the depth, without lateral support,
+/// which makes it less.
 fn elastic_at_rest(case: &Case, floor_pressure: f64) -> f64 {
     /// Pressure to which the modulus of sand refers [Pa]; at lower ones it is softer.
     const REFERENCE: f64 = 1e5;

@@ -1,7 +1,8 @@
-//! A file in VTK's XML format, written as a stream: arrays appended raw, in blocks compressed with zlib, 64-bit headers.
+//! A file in VTK's XML format, written as a stream: arrays appended raw, in blocks compressed with zlib,
+//! 64-bit headers.
 //!
-//! No array is ever whole in memory. Tags say where their array begins, and an array begins with the sizes of its compressed
-//! blocks; both are known only when it is written, and are filled in then.
+//! No array is ever whole in memory. Tags say where their array begins, and an array begins with the sizes of
+//! its compressed blocks; both are known only when it is written, and are filled in then.
 
 use crate::files::{Inside, OutputError, write_whole, write_with};
 use flate2::Compression;
@@ -91,8 +92,8 @@ impl<'a> DataArray<'a> {
             }
     }
 
-    /// Writes header (number of blocks, block size, size of a last partial block, compressed sizes) and blocks; returns their
-    /// size [bytes].
+    /// Writes header (number of blocks, block size, size of a last partial block, compressed sizes) and
+    /// blocks; returns their size [bytes].
     fn write(&mut self, out: &mut (impl Write + Seek)) -> io::Result<u64> {
         let bytes = self.bytes();
         let count = bytes.div_ceil(BLOCK);
@@ -179,7 +180,8 @@ pub(super) struct Dataset<'a> {
 }
 
 impl Dataset<'_> {
-    /// Writes a file that joins several of this kind, given by their extents and their names beside it, to a whole extent.
+    /// Writes a file that joins several of this kind, given by their extents and their names beside it, to a
+    /// whole extent.
     pub(super) fn write_joined(
         &self,
         file: &Inside,

@@ -57,8 +57,9 @@ impl FieldSeries {
         time >= next * (1.0 - 1e-12)
     }
 
-    /// Writes the current fields, unless files of exactly this time exist, and updates the time lists. The free surface includes
-    /// that which a grid that travels has left behind. Of a grid in blocks each writes its own soil, and the first all else.
+    /// Writes the current fields, unless files of exactly this time exist, and updates the time lists. The
+    /// free surface includes that which a grid that travels has left behind. Of a grid in blocks each writes
+    /// its own soil, and the first all else.
     ///
     /// # Errors
     /// When a file cannot be written.

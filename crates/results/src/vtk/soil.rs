@@ -24,8 +24,8 @@ pub(super) fn write_soil(
     dataset(domain, state).write(file)
 }
 
-/// Writes the soil of each block beside `file`, and in `file` how they make up the whole; the first block writes that when all others
-/// have written theirs.
+/// Writes the soil of each block beside `file`, and in `file` how they make up the whole; the first block
+/// writes that when all others have written theirs.
 pub(super) fn write_blocks(
     file: &Inside,
     (domain, halo): (&PlacedDomain, &Halo),

@@ -1,6 +1,6 @@
 //! The blocks of a grid in the processes of an MPI run give the same bits as the whole grid in one:
-//! `cargo test -p coulter-solver --features mpi --test mpi --no-run`, and what it built under `mpirun -n 3`. In more than four processes
-//! only their communication is tested.
+//! `cargo test -p coulter-solver --features mpi --test mpi --no-run`, and what it built under `mpirun -n 3`.
+//! In more than four processes only their communication is tested.
 #![allow(clippy::unwrap_used)]
 
 #[path = "../common/mod.rs"]
@@ -40,8 +40,8 @@ fn block_is_the_whole<R: Precision>(model: fn(usize) -> Model, threads: usize) {
     assert_same((&whole.grid, &state), (&model.grid, &own));
 }
 
-/// All get what each has, in exchanges, gathers and reductions that are under way at once. For so many processes that a gather is left
-/// to MPI, too.
+/// All get what each has, in exchanges, gathers and reductions that are under way at once. For so many
+/// processes that a gather is left to MPI, too.
 fn all_get_what_each_has() {
     let mut line = World::default();
     let (rank, size) = (line.rank(), line.size());

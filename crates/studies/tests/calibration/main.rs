@@ -1,5 +1,5 @@
-//! Calibration against curves whose parameters are known: how often intervals hold them, and when it is said that they cannot be told
-//! apart.
+//! Calibration against curves whose parameters are known: how often intervals hold them, and when it is said
+//! that they cannot be told apart.
 //!
 //! The full acceptance, 100 trials of each kind and the table of the figures:
 //! `cargo test -p coulter-studies --release --test calibration -- --ignored --nocapture`.
@@ -99,7 +99,8 @@ fn synthetic(kind: &Kind, known: &[f64], draws: &mut Draws) -> Vec<Record> {
     records
 }
 
-/// For every parameter: in how many trials the interval holds what is known, and the relative half-widths, sorted.
+/// For every parameter: in how many trials the interval holds what is known, and the relative half-widths,
+/// sorted.
 fn trials(kind: &Kind, count: u64) -> Vec<(String, usize, Vec<f64>)> {
     let space = space(kind.parameters);
     let mut figures: Vec<(String, usize, Vec<f64>)> =
@@ -130,8 +131,8 @@ fn calibrated(request: &Request<'_>) -> Calibration {
 
 const BOTH: &[&str] = &["soil.friction_angle=28..42 deg", "soil.cohesion=1..6 kPa"];
 
-/// Largest median of the relative half-widths of parameters that a curve identifies. Cohesion is not one of them: its share of the force on a
-/// plate is small, so that only its coverage is asked for.
+/// Largest median of the relative half-widths of parameters that a curve identifies. Cohesion is not one of
+/// them: its share of the force on a plate is small, so that only its coverage is asked for.
 fn most(name: &str) -> f64 {
     if name.ends_with("cohesion") { f64::INFINITY } else { 0.15 }
 }
@@ -148,7 +149,8 @@ fn intervals_hold_known_parameters() {
     }
 }
 
-/// The acceptance: of 100 trials at least 85 hold the parameter, and the median of the relative half-widths is at most 15 %.
+/// The acceptance: of 100 trials at least 85 hold the parameter, and the median of the relative half-widths
+/// is at most 15 %.
 #[test]
 #[ignore = "100 trials of each kind"]
 fn of_a_hundred_trials_the_intervals_hold_the_known_parameters_in_eighty_five() {

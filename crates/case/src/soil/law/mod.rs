@@ -1,4 +1,5 @@
-//! The yield law of a soil. Each law is one file, with its parameters, their keys and all that a case has to know of it.
+//! The yield law of a soil. Each law is one file, with its parameters, their keys and all that a case has to
+//! know of it.
 
 mod elastic;
 mod mohr_coulomb;

@@ -128,9 +128,9 @@ const FIELDS: &[Field] = &[
 const SMOOTH: &str = "menetrey-willam";
 const OF_SMOOTH: [&str; 2] = ["meridional_eccentricity", "deviatoric_eccentricity"];
 
-/// Density at which soil with ψ > 0 ceases to dilate over that at the start, where no critical density is given; chosen: from its densest to
-/// its loosest state sand expands by about a quarter. Without an end a random case fell to a seventh of its density, too light for the time
-/// step.
+/// Density at which soil with ψ > 0 ceases to dilate over that at the start, where no critical density is
+/// given; chosen: from its densest to its loosest state sand expands by about a quarter. Without an end a
+/// random case fell to a seventh of its density, too light for the time step.
 const FULLY_DILATED: f64 = 0.8;
 
 impl MohrCoulomb {

@@ -299,7 +299,8 @@ impl SoilLaw for Sand {
         )
     }
 
-    /// With the peak friction angle at low pressure, and the dilation angle of φ = φ_cv + 0.8 ψ (Bolton 1986).
+    /// With the peak friction angle at low pressure, and the dilation angle of φ = φ_cv + 0.8 ψ (Bolton
+    /// 1986).
     fn for_closed_forms(&self, soil: &Initial, remarks: &mut Vec<String>) -> Result<Strength, String> {
         let (law, index) = self.at_start(soil);
         let ratio = law.peak_ratio(index);

@@ -29,7 +29,8 @@ pub trait SoilLaw {
     /// Reports what contradicts the density of the soil at the start [kg/m³].
     fn check_at(&self, _density: f64, _path: &str, _problems: &mut Problems) {}
 
-    /// Friction angle φ, of sand that of the critical state; `None` for a strength that does not depend on the pressure.
+    /// Friction angle φ, of sand that of the critical state; `None` for a strength that does not depend on
+    /// the pressure.
     fn friction_angle(&self) -> Option<f64> {
         None
     }
@@ -39,13 +40,15 @@ pub trait SoilLaw {
         0.0
     }
 
-    /// Shear strength without normal stress: c, s_u, or about half of σ_y; `None` for soil that does not fail.
+    /// Shear strength without normal stress: c, s_u, or about half of σ_y; `None` for soil that does not
+    /// fail.
     fn cohesion(&self) -> Option<f64>;
 
     /// Whether it sustains these principal stresses, compression positive, the largest first.
     fn sustains(&self, principal: [f64; 3]) -> bool;
 
-    /// Coefficient of earth pressure at rest under level ground: Jaky's (1944), or that of elastic soil that cannot expand sideways.
+    /// Coefficient of earth pressure at rest under level ground: Jaky's (1944), or that of elastic soil that
+    /// cannot expand sideways.
     fn level_k0(&self, poisson_ratio: f64) -> f64 {
         self.friction_angle().map_or(poisson_ratio / (1.0 - poisson_ratio), |angle| 1.0 - angle.sin())
     }
@@ -60,7 +63,8 @@ pub trait SoilLaw {
         [false, self.dilation_angle() > 0.0]
     }
 
-    /// Volume strain of a soil from the start to failure, positive where it dilates; `None` where it does not follow from the law.
+    /// Volume strain of a soil from the start to failure, positive where it dilates; `None` where it does not
+    /// follow from the law.
     fn volume_strain(&self, _soil: &Initial) -> Option<f64> {
         Some(0.0)
     }
@@ -73,10 +77,12 @@ pub trait SoilLaw {
     /// The law of the solver, for elastic moduli.
     fn yield_law(&self, elastic: Moduli) -> Option<ConstitutiveLaw>;
 
-    /// Enters into the solver's material what is not in its law; elastic moduli, density and K₀ are there already.
+    /// Enters into the solver's material what is not in its law; elastic moduli, density and K₀ are there
+    /// already.
     fn complete(&self, _material: &mut Material) {}
 
-    /// Law and strength of soil of a density [kg/m³] in a few words, with three digits, for the top of a report.
+    /// Law and strength of soil of a density [kg/m³] in a few words, with three digits, for the top of a
+    /// report.
     fn summary(&self, density: f64) -> String;
 
     /// Law and all parameters of soil of a density [kg/m³], with four digits.

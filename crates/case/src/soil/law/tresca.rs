@@ -1,4 +1,5 @@
-//! Undrained clay: Tresca, with a strength that may grow with depth, fall with remoulding and grow with the rate of shear.
+//! Undrained clay: Tresca, with a strength that may grow with depth, fall with remoulding and grow with the
+//! rate of shear.
 
 use super::soil_law::{Initial, SoilLaw, Strength};
 use crate::keys::allowed::{AT_LEAST_ONE, NOT_NEGATIVE, POSITIVE};

@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 const MODELS: &str = "models.csv";
 const DOCUMENT: &str = "forecast.json";
 const CURVE: &str = "curve.csv";
-/// Models that are drawn wherever they have an answer, so that their crossing is visible; others only where they apply.
+/// Models that are drawn wherever they have an answer, so that their crossing is visible; others only where
+/// they apply.
 const ALWAYS_DRAWN: [&str; 3] = ["weaker of BC and PW", "BC", "PW"];
 
 /// The content of the files of a forecast.

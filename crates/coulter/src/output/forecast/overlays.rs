@@ -10,7 +10,8 @@ const POINTS: usize = 41;
 /// How far the force–sinkage curve extends beyond the deepest forecast.
 const BEYOND: f64 = 1.25;
 
-/// The best model and its rival, 3D-RFT or the bearing capacity, as overlays: levels for the tow, and curves against sinkage.
+/// The best model and its rival, 3D-RFT or the bearing capacity, as overlays: levels for the tow, and curves
+/// against sinkage.
 ///
 /// # Errors
 /// The reason why the closed forms do not apply to the case.
@@ -56,7 +57,8 @@ fn levels(outlook: &Outlook, model: &ModelForecast, body: &str) -> Vec<Overlay> 
 
 fn force_sinkage(outlook: &Outlook, models: &[&ModelForecast], body: &str) -> Result<Vec<Overlay>, String> {
     let towing = &outlook.input.towing;
-    // A block that sinks also rests on its base, which the force on its front at a given sinkage does not include.
+    // A block that sinks also rests on its base, which the force on its front at a given sinkage does not
+    // include.
     if outlook.sinks() && towing.body.block().is_some() {
         return Ok(Vec::new());
     }

@@ -4,7 +4,8 @@ use case::meshes::changed;
 use case::resolved::Case;
 use input::error::CaseError;
 
-/// What a variation changes: overrides of the case, what they mean in words, and how much longer the case takes.
+/// What a variation changes: overrides of the case, what they mean in words, and how much longer the case
+/// takes.
 pub(super) struct Change {
     pub(super) overrides: Vec<String>,
     pub(super) what: String,

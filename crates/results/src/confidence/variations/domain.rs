@@ -4,10 +4,11 @@ use super::change::{Change, Original};
 use case::path::Paths;
 use case::resolved::{Case, Ground};
 
-/// How much farther from the bodies the domain ends (chosen: an effect that falls with the first power of the distance falls by a
-/// third, and a graded grid needs a few more cells only).
+/// How much farther from the bodies the domain ends (chosen: an effect that falls with the first power of the
+/// distance falls by a third, and a graded grid needs a few more cells only).
 pub const FARTHER: f64 = 1.5;
-/// Least rise of the lid over the depth of the soil (chosen: a heap that touches a low lid gets space enough).
+/// Least rise of the lid over the depth of the soil (chosen: a heap that touches a low lid gets space
+/// enough).
 const LID: f64 = 0.25;
 /// Distance from a face of the domain at which a body counts as touching it, in cells.
 const TOUCHING: f64 = 0.5;

@@ -92,8 +92,9 @@ impl VariationPlan {
     }
 }
 
-/// By how much the cells of the two coarser meshes are wider, the usual factor first; the others where cells of that width do not
-/// fill the domain (chosen: a domain that is a whole number of cells wide is so of one of them).
+/// By how much the cells of the two coarser meshes are wider, the usual factor first; the others where cells
+/// of that width do not fill the domain (chosen: a domain that is a whole number of cells wide is so of one
+/// of them).
 const COARSER: [f64; 4] = [RATIO, 2.0, 4.0 / 3.0, 5.0 / 3.0];
 const COARSEST: [f64; 4] = [RATIO * RATIO, 2.0, 2.5, 3.0];
 

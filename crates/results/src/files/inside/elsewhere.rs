@@ -1,4 +1,5 @@
-//! Entries of a folder where the system has no calls that take a folder and a name (untested): each is looked at before it is used.
+//! Entries of a folder where the system has no calls that take a folder and a name (untested): each is looked
+//! at before it is used.
 
 use super::kind::EntryKind;
 use std::ffi::{OsStr, OsString};

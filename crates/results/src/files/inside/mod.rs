@@ -1,9 +1,9 @@
-//! The entries of a folder that others may have filled: results, studies. This is the one place that opens, makes, renames and
-//! removes them.
+//! The entries of a folder that others may have filled: results, studies. This is the one place that opens,
+//! makes, renames and removes them.
 //!
-//! Nothing is followed out of the folder: an entry that is a link, a pipe or a device is refused, and so is one in a sub-folder that
-//! is a link. The folder itself may be one, for its user has named it. What is written never changes a file under another of its
-//! names (hard links).
+//! Nothing is followed out of the folder: an entry that is a link, a pipe or a device is refused, and so is
+//! one in a sub-folder that is a link. The folder itself may be one, for its user has named it. What is
+//! written never changes a file under another of its names (hard links).
 
 mod kind;
 #[cfg(unix)]
@@ -23,7 +23,8 @@ use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 use system::Opened;
 
-/// An entry of a folder: the folder, as its user names it, and the name of the entry there, such as `fields/soil_0000.vtr`.
+/// An entry of a folder: the folder, as its user names it, and the name of the entry there, such as
+/// `fields/soil_0000.vtr`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Inside {
     top: PathBuf,
@@ -31,7 +32,8 @@ pub struct Inside {
 }
 
 impl Inside {
-    /// The entry of this name in a folder. One that leads out of it (`..`, an absolute path) is refused when it is used.
+    /// The entry of this name in a folder. One that leads out of it (`..`, an absolute path) is refused when
+    /// it is used.
     #[must_use]
     pub fn of(top: &Path, name: impl AsRef<Path>) -> Self {
         Self { top: top.to_path_buf(), name: name.as_ref().to_path_buf() }
@@ -127,7 +129,8 @@ impl Inside {
         Ok(content)
     }
 
-    /// Creates a file, or empties one. A file with several names (hard links) keeps its content under the others.
+    /// Creates a file, or empties one. A file with several names (hard links) keeps its content under the
+    /// others.
     ///
     /// # Errors
     /// Where the entry is anything but an ordinary file.
@@ -158,8 +161,9 @@ impl Inside {
         changeable(folder.create(&name)?)
     }
 
-    /// Writes a whole file, or leaves what was there: under its name with an ending first, which is then renamed, so that neither a
-    /// kill nor a full disk leaves half of one. Two processes that may write the same file need different endings.
+    /// Writes a whole file, or leaves what was there: under its name with an ending first, which is then
+    /// renamed, so that neither a kill nor a full disk leaves half of one. Two processes that may write the
+    /// same file need different endings.
     ///
     /// # Errors
     /// Where either entry cannot be created, written or renamed.
@@ -320,7 +324,8 @@ fn expect_file(kind: Option<EntryKind>) -> io::Result<()> {
     }
 }
 
-/// An open file that is an ordinary one, and how many names it has: the entry may have been exchanged since it was looked at.
+/// An open file that is an ordinary one, and how many names it has: the entry may have been exchanged since
+/// it was looked at.
 fn ordinary(file: File) -> io::Result<(File, u64)> {
     match system::kind_of(&file)? {
         EntryKind::File { names } => Ok((file, names)),

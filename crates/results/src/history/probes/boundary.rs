@@ -1,5 +1,5 @@
-//! What the soil does at the faces of the box: whether it presses on the lid, has come to a side wall that was bare, and how
-//! far the stress at walls and floor has risen above that at rest.
+//! What the soil does at the faces of the box: whether it presses on the lid, has come to a side wall that
+//! was bare, and how far the stress at walls and floor has risen above that at rest.
 
 use crate::domain::PlacedDomain;
 use crate::history::BoundarySample;
@@ -76,7 +76,8 @@ fn is_covered(case: &Case) -> bool {
     case.top_of_ground() >= case.domain.high.z - 1e-9 * case.grid.cell
 }
 
-/// Floor and side walls; planes of symmetry and of plane strain and faces through which soil flows are not among them.
+/// Floor and side walls; planes of symmetry and of plane strain and faces through which soil flows are not
+/// among them.
 fn walls(case: &Case, model: &Model) -> Vec<Face> {
     let domain = &case.domain;
     let mut faces = vec![(2, false), (0, true)];

@@ -8,8 +8,9 @@ use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
 
-/// Adds the surface over the last layer of cells at the outflow boundary to what the grid has left behind: at the start, and
-/// whenever the grid has travelled at least the width of this layer since then. Each block of a grid has the whole of it.
+/// Adds the surface over the last layer of cells at the outflow boundary to what the grid has left behind: at
+/// the start, and whenever the grid has travelled at least the width of this layer since then. Each block of
+/// a grid has the whole of it.
 pub fn record_ground_left<R: Precision>(
     model: &Model,
     state: &State<R>,
@@ -45,8 +46,8 @@ pub fn record_ground_left<R: Precision>(
     left.extend(all.chunks_exact(SurfacePoint::NUMBERS).map(SurfacePoint::of));
 }
 
-/// Axis and end, the low one (0) or the high one (1), of the outflow boundary that the grid leaves ground behind at: of a grid
-/// that travels along x and y that across x.
+/// Axis and end, the low one (0) or the high one (1), of the outflow boundary that the grid leaves ground
+/// behind at: of a grid that travels along x and y that across x.
 fn outflow(model: &Model) -> Option<(usize, usize)> {
     let travels = model.follow?.axes;
     let ends = (0..2).flat_map(|axis| [(axis, 0), (axis, 1)]);

@@ -1,7 +1,7 @@
 //! The probes: what they read from a state becomes a sample of the history.
 //!
-//! They see case, model and state and change neither. Forces are impulses since the last sample over the time since then, so
-//! that nothing that happens between two samples is lost.
+//! They see case, model and state and change neither. Forces are impulses since the last sample over the time
+//! since then, so that nothing that happens between two samples is lost.
 
 mod body;
 mod boundary;
@@ -25,7 +25,8 @@ use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
 
-/// Enters a state into the history, with the tow of each body; `last` is what the probes remember of the sample before, and of this one then.
+/// Enters a state into the history, with the tow of each body; `last` is what the probes remember of the
+/// sample before, and of this one then.
 pub fn sample<R: Precision>(
     (case, model, tows): (&Case, &Model, &[TowDirection]),
     state: &State<R>,

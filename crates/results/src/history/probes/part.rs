@@ -7,10 +7,12 @@ use glam::DVec3;
 use solver::model::Model;
 use solver::state::State;
 
-/// A part of a body that consists of several: the numbers of the body and of the part, and its reference point in the body frame [m].
+/// A part of a body that consists of several: the numbers of the body and of the part, and its reference
+/// point in the body frame [m].
 type Place = (usize, usize, DVec3);
 
-/// The parts with a surface of all bodies that consist of several: name and place. The body itself is the first of its parts.
+/// The parts with a surface of all bodies that consist of several: name and place. The body itself is the
+/// first of its parts.
 pub fn places(case: &Case) -> Vec<(String, Place)> {
     let several = case.bodies.iter().enumerate().filter(|(_, body)| !body.parts.is_empty());
     let each = several.flat_map(|(n, body)| {

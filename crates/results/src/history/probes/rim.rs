@@ -4,8 +4,8 @@ use case::tow::TowDirection;
 use solver::model::Model;
 use solver::state::{Body, RimSums};
 
-/// The sums over the bins of a body's rim and over its flanks, with the impulses of the whole body along and across its tow. Where only half of it is
-/// modelled, what acts along the axle cancels.
+/// The sums over the bins of a body's rim and over its flanks, with the impulses of the whole body along and
+/// across its tow. Where only half of it is modelled, what acts along the axle cancels.
 pub(super) fn sums(model: &Model, body: &Body, tow: TowDirection) -> Vec<RimSums> {
     let (symmetry, fraction) = (model.symmetry(), model.modelled_fraction());
     let lateral = if symmetry.across[1] { 0.0 } else { 1.0 };

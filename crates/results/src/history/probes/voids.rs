@@ -1,7 +1,8 @@
 //! The probe of voids: empty space under soil that rests on nothing.
 //!
-//! Soil without cohesion falls into a void; where it does not, cells that are filled in part bear stress. Soil that is carried by a
-//! body, that has the cohesion to bridge a cell, or that is still falling is left out.
+//! Soil without cohesion falls into a void; where it does not, cells that are filled in part bear stress.
+//! Soil that is carried by a body, that has the cohesion to bridge a cell, or that is still falling is left
+//! out.
 
 use crate::domain::PlacedDomain;
 use crate::ground_column::{GroundColumn, downwards};
@@ -15,14 +16,17 @@ use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
 
-/// Height of soil over a void, in cells, from which on it counts: less is the free surface, which lies anywhere in its cell (chosen).
+/// Height of soil over a void, in cells, from which on it counts: less is the free surface, which lies
+/// anywhere in its cell (chosen).
 const COVER: f64 = 0.7;
-/// Volume fraction below which a cell under soil holds a void: soil that has been remapped is fuller than that (chosen).
+/// Volume fraction below which a cell under soil holds a void: soil that has been remapped is fuller than
+/// that (chosen).
 const FULL: f64 = 0.9;
 /// Height of a fall, in cells, of which soil at rest has less than the speed (chosen).
 const REST: f64 = 0.01;
 
-/// Volume of the voids under resting soil over the volume of disturbed soil, at this time; 0 where no soil is disturbed.
+/// Volume of the voids under resting soil over the volume of disturbed soil, at this time; 0 where no soil is
+/// disturbed.
 pub(super) fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>, halo: &Halo) -> f64 {
     let domain = PlacedDomain::of(&model.grid, state.grid_position);
     let width = case.grid.fine_cell();
@@ -44,8 +48,8 @@ pub(super) fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>,
     if disturbed > 0.0 { void / disturbed } else { 0.0 }
 }
 
-/// Whether soil falls into a void as wide as a cell: its cohesion on both sides bears less than its weight, 2 c < γ b (Terzaghi 1943, the
-/// yielding strip, without friction, since at a free face nothing presses).
+/// Whether soil falls into a void as wide as a cell: its cohesion on both sides bears less than its weight, 2
+/// c < γ b (Terzaghi 1943, the yielding strip, without friction, since at a free face nothing presses).
 fn falls(soil: &Soil, width: f64) -> bool {
     match soil.law {
         Law::Elastic => false,
@@ -62,8 +66,8 @@ struct View<'a, R: Precision> {
 }
 
 impl<R: Precision> View<'_, R> {
-    /// Volumes of voids and of disturbed soil in a column of cells [m³], from above; `cover` is the height of the soil over the next
-    /// cell that neither a body nor cohesion carries [m].
+    /// Volumes of voids and of disturbed soil in a column of cells [m³], from above; `cover` is the height of
+    /// the soil over the next cell that neither a body nor cohesion carries [m].
     fn descend(&self, [i, j]: [usize; 2], cover: &mut f64) -> [f64; 2] {
         let Self { domain, state, .. } = self;
         let soil = &state.soil;
@@ -133,7 +137,8 @@ mod tests {
         state: State,
     }
 
-    /// Cells of 10 mm, five each way, in soil of this cohesion, with or without a block round the middle of the box.
+    /// Cells of 10 mm, five each way, in soil of this cohesion, with or without a block round the middle of
+    /// the box.
     fn cells(cohesion: &str, with_block: bool) -> Cells {
         let block = "[body.block]\nshape = 'block'\nsize = ['10 mm', '10 mm', '10 mm']\nfriction = 0.3\nx = '25 mm'\ny = '25 mm'\nelevation = '-25 mm'\n";
         let text = format!(
