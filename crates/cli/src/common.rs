@@ -3,9 +3,8 @@
 use crate::failure::Failure;
 use clap::builder::TypedValueParser as _;
 use coulter::case::cores;
-use coulter::case::meshes::COUNTS;
 use coulter::case::quantity::{TIME, parse};
-use coulter::confidence::variations::ErrorSource;
+use coulter::confidence::variations::{Asked, ErrorSource, MESHES};
 use coulter::printed::plain;
 use coulter::run::Budget;
 use std::fmt::Display;
@@ -63,10 +62,23 @@ pub(super) fn study_threads() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(i64::from(*STUDY_THREADS.start())..=i64::from(*STUDY_THREADS.end()))
 }
 
+/// Which variations `--meshes` and `--confidence` ask for; `None` without either.
+#[must_use]
+pub fn asked(meshes: Option<usize>, confidence: bool, without: &[ErrorSource]) -> Option<Asked> {
+    match (meshes, confidence) {
+        (None, false) => None,
+        (Some(meshes), false) => Some(Asked::meshes_alone(meshes)),
+        (meshes, true) => {
+            let usual = Asked::default();
+            Some(Asked { meshes: meshes.unwrap_or(usual.meshes), without: without.to_vec() })
+        }
+    }
+}
+
 /// The allowed numbers of meshes.
 pub(super) fn meshes() -> impl clap::builder::TypedValueParser<Value = usize> {
-    let (least, most) = (*COUNTS.start() as u64, *COUNTS.end() as u64);
-    clap::value_parser!(u64).range(least..=most).map(|count| usize::try_from(count).unwrap_or(*COUNTS.end()))
+    let (least, most) = (*MESHES.start() as u64, *MESHES.end() as u64);
+    clap::value_parser!(u64).range(least..=most).map(|count| usize::try_from(count).unwrap_or(*MESHES.end()))
 }
 
 /// A budget: a time with its unit, or how many times the case's own run.

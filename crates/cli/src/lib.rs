@@ -33,7 +33,7 @@ use std::ffi::OsString;
 use std::path::Path;
 
 pub use check::{check_document, check_text};
-pub use common::{budget, error_source};
+pub use common::{asked, budget, error_source};
 pub use failure::{Failure, problems_text};
 pub use run::{PreparedRun, RunRequest, graded};
 pub use sweep::{SweepRequest, SweptStudy, sweep_study};

@@ -12,4 +12,4 @@ mod stages;
 
 pub use case;
 pub use input::printed;
-pub use results::{confidence, formats, history, mesh_study, trust};
+pub use results::{confidence, formats, history, trust};

@@ -5,6 +5,7 @@ use crate::stages;
 use case::model::model;
 use case::tow::TowDirection;
 use case::{Case, case_text, cores, require_valid};
+use cpu_time::ProcessTime;
 use glam::DVec3;
 use input::CaseError;
 use results::checkpoint::{Checkpoint, CheckpointView};
@@ -465,18 +466,20 @@ impl<R: Precision> Simulation<R> {
         self.workspace.memory() + self.state.memory()
     }
 
-    /// Cell-steps per second over the cells with soil, measured over some steps; `None` if not one step can
-    /// be taken. The state is of no use afterwards.
+    /// Cell-steps per second of processor time and thread over the cells with soil, measured over some steps
+    /// for this time of wall clock: other programs take the clock's time, and not the processor's. `None` if
+    /// not one step can be taken. The state is of no use afterwards.
     pub fn speed(&mut self, while_: std::time::Duration) -> Option<f64> {
         let domain = PlacedDomain::of(&self.model.grid, self.state.grid_position);
         let filled = domain.filled_cells(&self.state);
         let clock = std::time::Instant::now();
-        let mut steps = 0_u32;
+        let (processor, mut steps) = (ProcessTime::now(), 0_u32);
         while clock.elapsed() < while_ {
             step(&self.model, &mut self.state, &mut self.workspace).ok()?;
             steps += 1;
         }
-        Some(filled as f64 * f64::from(steps) / clock.elapsed().as_secs_f64())
+        let used = processor.elapsed().as_secs_f64();
+        (used > 0.0).then(|| filled as f64 * f64::from(steps) / used)
     }
 }
 

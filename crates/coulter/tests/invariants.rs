@@ -80,7 +80,7 @@ const ARROWS: [(&str, &[&str]); 15] = [
     ("analytic", &["numerics"]),
     ("input", &["geometry", "mechanics"]),
     ("case", &["geometry", "physics", "mechanics", "solver", "analytic", "input"]),
-    ("results", &["geometry", "physics", "mechanics", "solver", "analytic", "input", "case"]),
+    ("results", &["numerics", "geometry", "physics", "mechanics", "solver", "analytic", "input", "case"]),
     ("report", &["geometry", "mechanics", "solver", "input", "case", "results"]),
     (
         "coulter",

@@ -4,10 +4,11 @@ use crate::attend::{ask_to_stop, attend};
 use crate::failure::{raised, refused};
 use crate::follow::{Asking, told};
 use crate::source::{Source, SourceText, count, request};
+use coulter::confidence::Wanted;
 use coulter::confidence::variations::ErrorSource;
 use coulter::interrupts::Interrupts;
-use coulter::run::{Budget, Follower, NoFollower, Start};
-use coulter_cli::{Failure, PreparedRun, RunRequest, budget, error_source, graded};
+use coulter::run::{Follower, NoFollower, Start};
+use coulter_cli::{Failure, PreparedRun, RunRequest, asked, budget, error_source, graded};
 use pyo3::prelude::*;
 use serde::Deserialize;
 use std::path::PathBuf;
@@ -22,6 +23,7 @@ struct RunCall {
     threads: Option<i64>,
     meshes: Option<i64>,
     confidence: bool,
+    accuracy: Option<String>,
     budget: Option<String>,
     without: Vec<String>,
     quiet: bool,
@@ -45,10 +47,12 @@ impl RunCall {
         let SourceText { text, name } = self.source.text()?;
         let refused = |why: String| raised(&Failure::Request(why));
         let budget = self.budget.as_deref().map(budget).transpose().map_err(refused)?;
+        let accuracy = self.accuracy.as_deref().map(Wanted::parse).transpose().map_err(refused)?;
         let without: Result<Vec<ErrorSource>, String> =
             self.without.iter().map(|word| error_source(word)).collect();
         let without = without.map_err(refused)?;
-        let confidence = self.confidence.then(|| (budget.unwrap_or(Budget::default()), without));
+        let variations = asked(count("meshes", self.meshes)?, self.confidence, &without)
+            .map(|asked| (asked, self.confidence.then(|| budget.unwrap_or_default())));
         Ok(RunRequest {
             text,
             source_name: name,
@@ -56,8 +60,8 @@ impl RunCall {
             output: self.output.clone(),
             start: start(&self.start)?,
             threads: count("threads", self.threads)?,
-            meshes: count("meshes", self.meshes)?,
-            confidence,
+            variations,
+            accuracy: accuracy.map(|wanted| (wanted, budget.unwrap_or_default())),
             quiet: self.quiet,
         })
     }

@@ -44,6 +44,18 @@ pub(super) fn attach(
     summary: &mut Summary,
     (confidence, variations): (Confidence, &[VariationResult]),
 ) -> Result<(), OutputError> {
+    let verdict = summary.trust.verdict_without_confidence();
+    summary.set_confidence(intervals(dir, (dir, record, verdict), confidence, variations)?);
+    Ok(())
+}
+
+/// The intervals of a run in a folder of its own, with this verdict, from variations whose runs lie below `dir`.
+fn intervals(
+    dir: &Path,
+    (own, record, verdict): (&Path, &RunRecord, Verdict),
+    confidence: Confidence,
+    variations: &[VariationResult],
+) -> Result<Confidence, OutputError> {
     let mut results = variations.to_vec();
     let mut histories: Vec<Option<History>> = Vec::new();
     for result in &mut results {
@@ -54,12 +66,44 @@ pub(super) fn attach(
         .zip(&histories)
         .map(|(result, history)| VariedRun { result, history: history.as_ref() })
         .collect();
-    let own = read_history(dir, &record.names(), true)?;
+    let history = read_history(own, &record.names(), true)?;
     let confidence = Confidence { width_m: record.cell_width, ..confidence };
-    let verdict = summary.trust.verdict_without_confidence();
     let bodies = (&record.bodies[..], &record.setting.bodies[..]);
-    summary.set_confidence(evaluate(confidence, (&own, verdict), &runs, bodies, record.steady_part()));
-    Ok(())
+    Ok(evaluate(confidence, (&history, verdict), &runs, bodies, record.steady_part()))
+}
+
+/// The intervals of the finest of several meshes whose runs lie below a folder; `None` where none can be used.
+///
+/// # Errors
+/// When a file cannot be read.
+pub fn explored(dir: &Path, meshes: &[VariationResult]) -> Result<Option<Confidence>, OutputError> {
+    let mut finest: Option<(usize, RunRecord)> = None;
+    for (n, mesh) in meshes.iter().enumerate() {
+        let folder = variation_folder(dir, &mesh.name)?;
+        let record = RunRecord::read(&folder)?;
+        let is_finer = finest.as_ref().is_none_or(|(_, other)| record.cell_width < other.cell_width);
+        if is_finer && Summary::read(&folder)?.trust.verdict != Verdict::Broken {
+            finest = Some((n, record));
+        }
+    }
+    let Some((n, record)) = finest else { return Ok(None) };
+    let own = variation_folder(dir, &meshes[n].name)?;
+    let others: Vec<VariationResult> =
+        meshes.iter().enumerate().filter(|(other, _)| *other != n).map(|(_, mesh)| mesh.clone()).collect();
+    let verdict = Summary::read(&own)?.trust.verdict;
+    intervals(dir, (&own, &record, verdict), Confidence::default(), &others).map(Some)
+}
+
+/// Hash of the case whose run a folder holds; `None` where it holds none.
+///
+/// # Errors
+/// When it holds something else.
+pub fn run_of(dir: &Path) -> Result<Option<String>, OutputError> {
+    match inspect(dir)? {
+        Contents::Run(record) => Ok(Some(record.case_hash)),
+        Contents::Nothing => Ok(None),
+        Contents::Foreign => Err(OutputError::Foreign { path: dir.to_path_buf() }),
+    }
 }
 
 /// The history of a variation that was examined; what is known of its run is filled in.

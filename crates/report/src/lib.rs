@@ -4,7 +4,6 @@
 //! study, the intervals and the facade.
 
 mod confidence;
-mod meshes;
 mod page;
 pub mod pictures;
 pub mod plots;
@@ -13,13 +12,12 @@ mod report;
 mod run_results;
 mod view;
 
-pub use confidence::{finished, make_variations_folder, variation_folder};
-pub use meshes::{make_meshes_folder, mesh_folder};
+pub use confidence::{explored, finished, make_variations_folder, run_of, variation_folder};
 pub use page::{lowered, render_page};
 pub use render::{Colouring, ImageFormat, RenderOptions, Viewpoint, render};
 pub use report::{
-    BodySummary, EnergySummary, RimSummary, SoilSummary, Summary, confidence_lines, mean_lines, study_lines,
+    BodySummary, EnergySummary, RimSummary, SoilSummary, Summary, confidence_lines, mean_lines,
 };
 pub use run_results::{
-    Results, add_confidence, add_mesh_study, clear_all, rebuild_report, rebuild_report_with, require_nothing,
+    Results, add_confidence, clear_all, rebuild_report, rebuild_report_with, require_nothing,
 };

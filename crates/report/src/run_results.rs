@@ -1,7 +1,6 @@
 //! The results folder of a run, and everything that is written into it.
 
 use super::confidence;
-use super::meshes::{as_read_back, attach};
 use super::pictures::{Shown, write_pictures};
 use super::report::{ReportText, Summary, rims, write_report};
 use case::resolved::MotionTable;
@@ -69,8 +68,7 @@ impl Results {
         let before = RunRecord::read(dir)?;
         remove_parts(dir)?;
         let statistics = RunStatistics { outcome: Outcome::Running, ..before.statistics };
-        let record =
-            RunRecord { overlays: before.overlays, meshes: before.meshes, statistics, ..RunRecord::of(case) };
+        let record = RunRecord { overlays: before.overlays, statistics, ..RunRecord::of(case) };
         let mut results = Self {
             tables: HistoryFiles::create(dir, &record.bodies, &record.names())?,
             log: Log::append(dir)?,
@@ -112,15 +110,6 @@ impl Results {
         self.record.write(&self.dir)
     }
 
-    /// Says on which coarser meshes the case is run as well, below this folder.
-    ///
-    /// # Errors
-    /// When `run.json` cannot be written.
-    pub fn name_meshes(&mut self, meshes: &[String]) -> Result<(), OutputError> {
-        self.record.meshes = meshes.to_vec();
-        self.record.write(&self.dir)
-    }
-
     /// Writes the summary, the pictures and the report at the end of a run, also of one that broke down or
     /// was stopped, as the statistics say.
     ///
@@ -146,7 +135,6 @@ impl Results {
             ..Summary::of(&self.record)
         };
         summary.fill(history, &self.record);
-        attach(&self.dir, &self.record, &mut summary)?;
         summary.write(&self.dir)?;
         write_pictures(&Inside::of(&self.dir, PICTURES), case, grid, state, map)?;
         let sections: Vec<_> = ruts.into_iter().map(|rut| rut.sections).collect();
@@ -226,8 +214,7 @@ fn copy_of(dir: &Path, from: &Path, (name, hash): (&str, &str)) -> Result<String
     Ok(copy)
 }
 
-/// Removes a whole result, runs on coarser meshes and of variations included; a folder with other files in it
-/// is never touched.
+/// Removes a whole result, runs of variations included; a folder with other files in it is never touched.
 pub fn clear_all(dir: &Path) -> Result<(), OutputError> {
     clear_beside(dir)?;
     clear(dir, true)
@@ -236,28 +223,6 @@ pub fn clear_all(dir: &Path) -> Result<(), OutputError> {
 /// Refuses a folder that holds a result or anything else.
 pub fn require_nothing(dir: &Path) -> Result<(), OutputError> {
     clear(dir, false)
-}
-
-/// Gives a run that has come to its end the study of these coarser meshes, in the summary, the report and the
-/// log, unless it has it already.
-///
-/// # Errors
-/// When the folder holds no such result, or a file cannot be read or written.
-pub fn add_mesh_study(dir: &Path, case: &Case, meshes: &[String]) -> Result<Summary, OutputError> {
-    let before = RunRecord::read(dir)?;
-    let RunRecord { cell, cell_width, .. } = RunRecord::of(case);
-    let record = RunRecord { meshes: meshes.to_vec(), cell, cell_width, ..before };
-    let mut summary = Summary::read(dir)?;
-    let known = summary.mesh_study.clone();
-    attach(dir, &record, &mut summary)?;
-    if known.is_some() && known == summary.mesh_study.as_ref().and_then(as_read_back) {
-        return Summary::read(dir);
-    }
-    Log::append(dir)?.line(&format!("study of {} meshes", meshes.len() + 1))?;
-    record.write(dir)?;
-    summary.write(dir)?;
-    rebuild_report(dir)?;
-    Ok(summary)
 }
 
 /// Gives a run that has come to its end the intervals that follow from these variations, in the summary, the

@@ -2,7 +2,7 @@
 //! [`case::FORMAT`], that of checkpoints is theirs.
 
 /// Version of results folders: of `run.json` and `summary.json`.
-pub const RESULTS: u32 = 2;
+pub const RESULTS: u32 = 3;
 /// Version of the documents in JSON: what `--json` prints, and what forecasts, comparisons and calibrations
 /// leave in their folders.
 pub const DOCUMENT: u32 = 1;

@@ -12,7 +12,6 @@ pub mod folder;
 pub mod formats;
 pub mod ground_column;
 pub mod history;
-pub mod mesh_study;
 pub mod overlay;
 pub mod progress;
 pub mod tables;

@@ -30,6 +30,7 @@ mod flow;
 mod footing;
 mod friction;
 pub mod grades;
+mod grid_convergence;
 mod group;
 pub mod json_row;
 mod light;

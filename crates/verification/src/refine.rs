@@ -3,11 +3,12 @@
 
 use crate::error::VerifyError;
 use crate::findings::Findings;
+use crate::grid_convergence::{extrapolated, observed_order};
 use crate::list::expectations;
 use crate::options::SuiteOptions;
 use crate::runner::Runner;
 use crate::{circle, column, disc, flow, footing, plate, positions, rough_wall, strip_sand, wall};
-use coulter::mesh_study::{OnMesh, extrapolated, observed_order};
+use coulter::confidence::OnMesh;
 
 /// A figure that can be obtained on meshes of different fineness.
 struct Study {

@@ -2,7 +2,6 @@
 
 mod cost;
 mod describe;
-mod mesh_cost;
 mod variation_cost;
 
 use crate::common::{say, say_json};
@@ -11,12 +10,11 @@ use crate::run_time;
 use cost::describe_cost;
 use coulter::case::estimate::{self, Cost};
 use coulter::case::{self, Case, machine, resources};
-use coulter::confidence::variations::variations;
+use coulter::confidence::variations::{Asked, variations};
 use coulter::formats;
 use coulter::history::reference::Groups;
 use describe::describe;
 pub(super) use describe::describe_soil;
-use mesh_cost::{MeshCost, describe_meshes};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use variation_cost::VariationCosts;
@@ -52,13 +50,9 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     let case = case::load(&arguments.case, &overrides)?;
     let cost = estimate::cost(&case);
     let seconds = run_time::estimate(&case, &cost);
-    let meshes = match arguments.meshes {
-        Some(count) => meshes(&arguments.case, &overrides, &case, count)?,
-        None => Vec::new(),
-    };
-    let variations = match arguments.confidence {
-        true => Some(variation_costs(&arguments.case, &overrides, &case)?),
-        false => None,
+    let variations = match crate::common::asked(arguments.meshes, arguments.confidence, &[]) {
+        Some(asked) => Some(variation_costs(&arguments.case, &overrides, (&case, seconds), &asked)?),
+        None => None,
     };
     let mut warnings = warnings(&case, &cost);
     if let Some(long) = seconds.filter(|seconds| *seconds > LONG) {
@@ -69,12 +63,11 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     }
     if arguments.json {
         let document = document(&case, &cost, seconds, &warnings);
-        return as_json(document, &meshes, variations.as_ref());
+        return as_json(document, variations.as_ref());
     }
     let mut text = described(&case, &cost, seconds);
     // Writing to a string cannot fail.
-    let _ = describe_meshes(&mut text, &meshes)
-        .and_then(|()| variations.iter().try_for_each(|costs| costs.describe(&mut text)));
+    let _ = variations.iter().try_for_each(|costs| costs.describe(&mut text));
     for warning in warnings.iter().take(MAX_WARNINGS) {
         let _ = writeln!(text, "warning  {warning}");
     }
@@ -112,32 +105,20 @@ fn warnings(case: &Case, cost: &Cost) -> Vec<String> {
     warnings
 }
 
-/// The meshes of a study, the coarsest first.
-fn meshes(path: &Path, overrides: &[String], case: &Case, count: usize) -> Result<Vec<MeshCost>, Failure> {
+/// The variations of the case, which takes so many seconds if that is known, and what they cost.
+fn variation_costs(
+    path: &Path,
+    overrides: &[String],
+    (case, seconds): (&Case, Option<f64>),
+    asked: &Asked,
+) -> Result<VariationCosts, Failure> {
     let text = case::text(path)?;
     let source_name = path.display().to_string();
     let typed = case::overridden(&text, &source_name, overrides)?;
-    let coarser = case::meshes::coarser(case, &typed, &source_name, count)?;
-    let cases = coarser.iter().map(|mesh| &mesh.case).chain([case]);
-    Ok(cases.map(MeshCost::of).collect())
+    Ok(VariationCosts::of((case, seconds), &variations(case, &typed, &source_name, asked)?))
 }
 
-/// The variations of the case, and what they cost.
-fn variation_costs(path: &Path, overrides: &[String], case: &Case) -> Result<VariationCosts, Failure> {
-    let text = case::text(path)?;
-    let source_name = path.display().to_string();
-    let typed = case::overridden(&text, &source_name, overrides)?;
-    Ok(VariationCosts::of(case, &variations(case, &typed, &source_name, &[])?))
-}
-
-fn as_json(
-    mut document: serde_json::Value,
-    meshes: &[MeshCost],
-    variations: Option<&VariationCosts>,
-) -> Result<(), Failure> {
-    if !meshes.is_empty() {
-        document["meshes"] = serde_json::json!(meshes);
-    }
+fn as_json(mut document: serde_json::Value, variations: Option<&VariationCosts>) -> Result<(), Failure> {
     if let Some(variations) = variations {
         document["variations"] = serde_json::json!(variations);
     }

@@ -1,6 +1,8 @@
 //! The variations of a case, and what they cost.
 
+use super::cost::time_in_words;
 use coulter::case::Case;
+use coulter::confidence::Status;
 use coulter::confidence::variations::{LeftOut, VariationPlan};
 use coulter::run::relative_cost;
 use serde::Serialize;
@@ -14,6 +16,8 @@ struct VariationCost {
     what: String,
     /// Work over that of the case itself.
     relative_cost: f64,
+    /// Estimated time of its run on this machine [s].
+    estimated_wall_s: Option<f64>,
 }
 
 /// All variations, and those that do not apply: name and reason.
@@ -24,15 +28,17 @@ pub(super) struct VariationCosts {
 }
 
 impl VariationCosts {
-    pub(super) fn of(case: &Case, plan: &VariationPlan) -> Self {
+    pub(super) fn of((case, seconds): (&Case, Option<f64>), plan: &VariationPlan) -> Self {
         let runs = plan.variations.iter().map(|variation| VariationCost {
             name: variation.name.clone(),
             source: variation.source.word(),
             what: variation.what.clone(),
             relative_cost: relative_cost(case, variation),
+            estimated_wall_s: seconds.map(|seconds| seconds * relative_cost(case, variation)),
         });
+        let asked = plan.left_out.iter().filter(|left_out| left_out.status != Status::NotAskedFor);
         let left_out = |left_out: &LeftOut| [left_out.name.clone(), left_out.why.clone()];
-        Self { runs: runs.collect(), left_out: plan.left_out.iter().map(left_out).collect() }
+        Self { runs: runs.collect(), left_out: asked.map(left_out).collect() }
     }
 
     /// A line for each, and one for all of them.
@@ -47,6 +53,8 @@ impl VariationCosts {
             writeln!(text, "varied   not {}: {why}", name.replace('_', " "))?;
         }
         let sum: f64 = self.runs.iter().map(|run| run.relative_cost).sum();
-        writeln!(text, "varied   together {sum:.2} times the work of the case itself")
+        let seconds: Option<f64> = self.runs.iter().map(|run| run.estimated_wall_s).sum();
+        let time = seconds.map_or(String::new(), |seconds| format!(", about {}", time_in_words(seconds)));
+        writeln!(text, "varied   together {sum:.2} times the work of the case itself{time}")
     }
 }

@@ -6,7 +6,9 @@ use crate::common::{say_json, warn};
 use crate::failure::Failure;
 use crate::processes::World;
 use crate::signals;
+use clap::ArgGroup;
 use coulter::case;
+use coulter::confidence::Wanted;
 use coulter::confidence::variations::ErrorSource;
 use coulter::run::{Budget, NoFollower, Start};
 use std::path::PathBuf;
@@ -14,6 +16,7 @@ use std::path::PathBuf;
 pub use request::{PreparedRun, RunRequest, graded};
 
 #[derive(Debug, clap::Args)]
+#[command(group(ArgGroup::new("narrowed").args(["confidence", "accuracy"])))]
 pub(super) struct Arguments {
     /// The case file
     case: PathBuf,
@@ -40,19 +43,23 @@ pub(super) struct Arguments {
     /// For schedulers: start, resume, or leave a finished run unchanged
     #[arg(long, conflicts_with = "resume")]
     auto_resume: bool,
-    /// Run the case on N meshes, each with cells 1.5 times as wide as the next, to get intervals of drag,
-    /// vertical force, sinkage and turn ratio; 3 is usual. The finest is the case's own. Takes about 1.25
-    /// times as long as without, in plane strain some 1.7 times; `check --meshes N` has the figure
+    /// Run the case on N meshes, 2 to 6, the coarsest with cells twice as wide as the case's own, to get the
+    /// interval (90 %) of each force and sinkage on account of the cells; with 4 or more, trend and scatter
+    /// are told apart. `check --meshes N` shows what they cost. With --confidence: on how many meshes
     #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
     meshes: Option<usize>,
     /// Run variations of the case as well (coarser meshes, a larger domain, half the speed, the other
     /// precision) to get one interval (90 %) for each force and sinkage, and what dominates it.
     /// `check --confidence` shows what they cost
-    #[arg(long, conflicts_with = "meshes")]
+    #[arg(long)]
     confidence: bool,
+    /// Choose the cells: coarse ones first, and then those on which the intervals (90 %) become as narrow as
+    /// wanted: "5 %", or "drag 5 %, sinkage 8 %"
+    #[arg(long, value_name = "WANTED", conflicts_with_all = ["meshes", "confidence"], value_parser = Wanted::parse)]
+    accuracy: Option<Wanted>,
     /// How long the variations may take together: "20 min", or a multiple of the case's own run such as 4x.
     /// What does not fit is reported as not examined [default: 6x]
-    #[arg(long, value_name = "TIME", requires = "confidence", value_parser = crate::common::budget)]
+    #[arg(long, value_name = "TIME", requires = "narrowed", value_parser = crate::common::budget)]
     budget: Option<Budget>,
     /// What the intervals leave out, because it is a part of the problem: domain (real walls), speed (a fast
     /// tow that is meant), mesh, precision; may be repeated
@@ -65,7 +72,8 @@ pub(super) struct Arguments {
 
 impl Arguments {
     fn request(&self) -> Result<RunRequest, Failure> {
-        let confidence = self.confidence.then(|| (self.budget.unwrap_or_default(), self.without.clone()));
+        let variations = crate::common::asked(self.meshes, self.confidence, &self.without)
+            .map(|asked| (asked, self.confidence.then(|| self.budget.unwrap_or_default())));
         Ok(RunRequest {
             text: case::text(&self.case)?,
             source_name: self.case.display().to_string(),
@@ -73,8 +81,8 @@ impl Arguments {
             output: self.output.clone(),
             start: self.start(),
             threads: self.threads,
-            meshes: self.meshes,
-            confidence,
+            variations,
+            accuracy: self.accuracy.clone().map(|wanted| (wanted, self.budget.unwrap_or_default())),
             quiet: self.json,
         })
     }
@@ -91,7 +99,11 @@ impl Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let world = World::begin()?;
-    let beside = [(arguments.meshes.is_some(), "--meshes"), (arguments.confidence, "--confidence")];
+    let beside = [
+        (arguments.meshes.is_some(), "--meshes"),
+        (arguments.confidence, "--confidence"),
+        (arguments.accuracy.is_some(), "--accuracy"),
+    ];
     if let Some((_, option)) = beside.iter().find(|(is_asked, _)| *is_asked && world.size() > 1) {
         let why = format!(
             "{option} starts one run after the other, each in one process; leave out mpirun, or run the cases one by one"

@@ -4,9 +4,9 @@ use crate::common::{MOST_THREADS, refuse_file, require_range};
 use crate::failure::Failure;
 use crate::processes;
 use coulter::case::estimate::{self, Cost};
-use coulter::case::meshes::{self, CoarserMesh};
 use coulter::case::{self, Case, cores};
-use coulter::confidence::variations::{ErrorSource, VariationPlan, variations};
+use coulter::confidence::Wanted;
+use coulter::confidence::variations::{Asked, MESHES, VariationPlan, variations};
 use coulter::interrupts::Interrupts;
 use coulter::output::{OutputError, Summary, checkpoint};
 use coulter::run::{self, Budget, End, Follower, Request, RunError, RunOptions, Start};
@@ -28,10 +28,10 @@ pub struct RunRequest {
     pub start: Start,
     /// Threads of each process, 0 for as many as [`cores::threads_by_default`]; by default those of the case.
     pub threads: Option<u16>,
-    /// On how many meshes, the case's own among them, if on several.
-    pub meshes: Option<usize>,
-    /// With variations: how long these may take together, and what they leave out.
-    pub confidence: Option<(Budget, Vec<ErrorSource>)>,
+    /// With variations: which, and how long they may take together, if there is a limit.
+    pub variations: Option<(Asked, Option<Budget>)>,
+    /// How accurate the figures are to be on cells that the run chooses, and how long all runs may take together.
+    pub accuracy: Option<(Wanted, Budget)>,
     /// Show no progress.
     pub quiet: bool,
 }
@@ -48,8 +48,8 @@ pub struct PreparedRun {
     start: Start,
     quiet: bool,
     typed: String,
-    coarser: Vec<CoarserMesh>,
-    plan: Option<(Budget, VariationPlan)>,
+    plan: Option<(VariationPlan, Option<Budget>)>,
+    accuracy: Option<(Wanted, Budget)>,
     /// The option that asks for more than the case itself, followed by a space.
     option: String,
 }
@@ -61,45 +61,49 @@ impl RunRequest {
     /// [`Failure`] where the case or the request is wrong.
     pub fn prepare(&self) -> Result<PreparedRun, Failure> {
         require_range("threads", self.threads.map(usize::from), 0..=MOST_THREADS)?;
-        require_range("meshes", self.meshes, meshes::COUNTS)?;
+        require_range("meshes", self.variations.as_ref().map(|(asked, _)| asked.meshes), MESHES)?;
         let mut case = case::parse(&self.text, &self.source_name, &self.overrides)?;
         if let Some(threads) = self.threads {
             case.numerics.threads = usize::from(threads);
         }
         let typed = case::overridden(&self.text, &self.source_name, &self.overrides)?;
-        let coarser = match self.meshes {
-            Some(count) => meshes::coarser(&case, &typed, &self.source_name, count)?,
-            None => Vec::new(),
-        };
-        let plan = match &self.confidence {
-            Some((budget, without)) => {
-                Some((*budget, variations(&case, &typed, &self.source_name, without)?))
-            }
+        let plan = match &self.variations {
+            Some((asked, budget)) => Some((variations(&case, &typed, &self.source_name, asked)?, *budget)),
             None => None,
         };
-        let option = match (&self.confidence, self.meshes) {
-            (Some(_), _) => "--confidence ".to_owned(),
-            (None, Some(count)) => format!("--meshes {count} "),
-            (None, None) => String::new(),
+        let option = match &self.variations {
+            _ if self.accuracy.is_some() => "--accuracy … ".to_owned(),
+            Some((_, Some(_))) => "--confidence ".to_owned(),
+            Some((asked, None)) => format!("--meshes {} ", asked.meshes),
+            None => String::new(),
         };
         let folder = self.output.clone().unwrap_or_else(|| PathBuf::from("results").join(&case.name));
         refuse_file(&folder)?;
-        let cost = cost(&case, &coarser, plan.as_ref().map(|(_, plan)| plan));
+        let cost = cost(&case, plan.as_ref().map(|(plan, _)| plan));
         let mut warnings = case::resources::warnings(&cost, &folder);
         if case.numerics.threads == 0 {
             warnings.extend(cores::threads_by_default().notes);
         }
         let (start, quiet) = (self.start, self.quiet);
-        Ok(PreparedRun { case, folder, warnings, start, quiet, typed, coarser, plan, option })
+        Ok(PreparedRun {
+            case,
+            folder,
+            warnings,
+            start,
+            quiet,
+            typed,
+            plan,
+            accuracy: self.accuracy.clone(),
+            option,
+        })
     }
 }
 
-/// The cost of a case, with the space that the results of the coarser meshes and of the variations take, and
-/// the memory of the largest.
-fn cost(case: &Case, coarser: &[CoarserMesh], plan: Option<&VariationPlan>) -> Cost {
+/// The cost of a case, with the space that the results of its variations take, and the memory of the largest.
+fn cost(case: &Case, plan: Option<&VariationPlan>) -> Cost {
     let mut cost = estimate::cost(case);
     let varied = plan.iter().flat_map(|plan| plan.variations.iter().map(|variation| &variation.case));
-    for beside in coarser.iter().map(|mesh| &mesh.case).chain(varied) {
+    for beside in varied {
         let beside = estimate::cost(beside);
         cost.output.total_bytes += beside.output.total_bytes;
         cost.memory_bytes = cost.memory_bytes.max(beside.memory_bytes);
@@ -125,14 +129,19 @@ impl PreparedRun {
             typed: &self.typed,
             communicator: processes::communicator,
         };
-        let end = match (self.coarser.as_slice(), &self.plan) {
-            (_, Some((budget, plan))) => {
+        let end = match &self.plan {
+            _ if self.accuracy.is_some() => self.run_accuracy(&options),
+            Some((plan, budget)) => {
                 run::run_confidence(&self.case, Request { plan, budget: *budget }, &options)
             }
-            ([], None) => run::run_followed(&self.case, &options, follower),
-            (coarser, None) => run::run_meshes(&self.case, coarser, &options),
+            None => run::run_followed(&self.case, &options, follower),
         };
         self.conclude(end, &options)
+    }
+
+    fn run_accuracy(&self, options: &RunOptions) -> Result<End, RunError> {
+        let (wanted, budget) = self.accuracy.clone().unwrap_or_default();
+        run::run_accuracy(&self.case, &wanted, budget, options)
     }
 
     /// What the end of a run means to whoever asked for it.

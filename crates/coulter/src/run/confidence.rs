@@ -7,11 +7,12 @@ use super::start::{ended_before, lock};
 use super::{run_locked, verdict};
 use case::{Case, estimate, require_valid, resolved};
 use report::{Summary, add_confidence, confidence_lines, finished, make_variations_folder, variation_folder};
-use results::confidence::variations::{LeftOut, Variation, VariationPlan};
+use results::confidence::variations::{ErrorSource, LeftOut, Variation, VariationPlan, in_place_of};
 use results::confidence::{Confidence, Status, VariationResult};
 use results::folder::clear_beside;
 use results::progress;
 use results::trust::Verdict;
+use std::collections::VecDeque;
 
 /// How long the variations may take together.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +32,7 @@ impl Default for Budget {
 }
 
 impl Budget {
-    fn seconds(self, own_s: f64) -> f64 {
+    pub(super) fn seconds(self, own_s: f64) -> f64 {
         match self {
             Self::Times(times) => times * own_s,
             Self::Seconds(seconds) => seconds,
@@ -44,8 +45,8 @@ impl Budget {
 pub struct Request<'a> {
     /// The variations.
     pub plan: &'a VariationPlan,
-    /// How long they may take.
-    pub budget: Budget,
+    /// How long they may take; `None` for as long as they do.
+    pub budget: Option<Budget>,
 }
 
 /// Time per cell and step in single precision over that in double (`docs/performance.md`: two thirds).
@@ -72,18 +73,21 @@ pub fn run_confidence(case: &Case, request: Request, options: &RunOptions) -> Re
         stopped @ End::Stopped(..) => return Ok(stopped),
     };
     make_variations_folder(options.folder)?;
-    let budget = request.budget.seconds(own.wall_s);
-    let mut books = Books { own: &own, case, budget, spent: 0.0, results: Vec::new() };
-    let count = request.plan.variations.len();
-    for (n, variation) in request.plan.variations.iter().enumerate() {
-        let label = format!("variation {} of {count}, {}", n + 1, variation.name.replace('_', " "));
-        if let Some(stopped) = books.examine(variation, label, options)? {
+    let budget = request.budget.map(|budget| budget.seconds(own.wall_s));
+    let mut account = Account { own: &own, case, budget, spent: 0.0, results: Vec::new() };
+    let (meshes, others): (Vec<&Variation>, Vec<&Variation>) =
+        request.plan.variations.iter().partition(|variation| variation.source == ErrorSource::Mesh);
+    if let Some(stopped) = account.examine_meshes(meshes, options)? {
+        return Ok(stopped);
+    }
+    for variation in others {
+        if let Some(stopped) = account.examine(variation, options)? {
             return Ok(stopped);
         }
     }
-    books.results.extend(request.plan.left_out.iter().map(left_out));
-    let confidence = Confidence { budget_s: budget, spent_s: books.spent, ..Confidence::default() };
-    let summary = add_confidence(options.folder, confidence, &books.results)?;
+    account.results.extend(request.plan.left_out.iter().map(left_out));
+    let confidence = Confidence { budget_s: budget, spent_s: account.spent, ..Confidence::default() };
+    let summary = add_confidence(options.folder, confidence, &account.results)?;
     let lines = [confidence_lines(&summary), verdict(&summary)].concat();
     progress::tell(&lines.join("\n"), options.quiet);
     Ok(End::Finished(Box::new(summary)))
@@ -109,31 +113,57 @@ fn left_out(left_out: &LeftOut) -> VariationResult {
     VariationResult {
         name: left_out.name.clone(),
         source: left_out.source,
-        status: Status::NotApplicable,
+        status: left_out.status,
         because: Some(left_out.why.clone()),
         ..VariationResult::default()
     }
 }
 
 /// What was allowed and spent, and what became of the variations so far.
-struct Books<'a> {
+struct Account<'a> {
     own: &'a Summary,
     case: &'a Case,
     /// [s]
-    budget: f64,
+    budget: Option<f64>,
     /// [s]
     spent: f64,
     results: Vec<VariationResult>,
 }
 
-impl Books<'_> {
-    /// Examines a variation, if it can be; how its run was stopped, if it was.
-    fn examine(
+impl Account<'_> {
+    /// Examines the case on other cells, with another mesh in place of each whose run is broken; how a run was
+    /// stopped, if it was.
+    fn examine_meshes(
         &mut self,
-        variation: &Variation,
-        label: String,
+        planned: Vec<&Variation>,
         options: &RunOptions,
     ) -> Result<Option<End>, RunError> {
+        let mut waiting: VecDeque<Variation> = planned.into_iter().cloned().collect();
+        let (mut usable, mut used, mut most) = (Vec::new(), Vec::new(), 2 * waiting.len());
+        while let Some(variation) = waiting.pop_front() {
+            if let Some(stopped) = self.examine(&variation, options)? {
+                return Ok(Some(stopped));
+            }
+            used.push(variation.case.clone());
+            most = most.saturating_sub(1);
+            match finished(options.folder, &variation.name)? {
+                Some((_, summary)) if summary.trust.verdict == Verdict::Broken => {
+                    let all: Vec<&Case> =
+                        used.iter().chain(waiting.iter().map(|other| &other.case)).collect();
+                    let good: Vec<&Case> =
+                        usable.iter().chain(waiting.iter().map(|other| &other.case)).collect();
+                    let own = (self.case, options.typed, self.case.name.as_str());
+                    waiting.extend(in_place_of(&variation, (&good, &all), own).filter(|_| most > 0));
+                }
+                Some(_) => usable.push(variation.case),
+                None => {}
+            }
+        }
+        Ok(None)
+    }
+
+    /// Examines a variation, if it can be; how its run was stopped, if it was.
+    fn examine(&mut self, variation: &Variation, options: &RunOptions) -> Result<Option<End>, RunError> {
         let predicted = self.predicted(variation);
         let mut result = VariationResult {
             name: variation.name.clone(),
@@ -150,6 +180,7 @@ impl Books<'_> {
                 self.results.push(result);
                 return Ok(None);
             }
+            let label = format!("variation {}, {}", self.results.len() + 1, variation.name.replace('_', " "));
             if let Some(stopped) = run_variation(variation, label, options)? {
                 return Ok(Some(stopped));
             }
@@ -171,13 +202,13 @@ impl Books<'_> {
         if self.own.trust.verdict_without_confidence() == Verdict::Broken {
             return Some("the case's own run is broken".to_owned());
         }
-        let left = self.budget - self.spent;
+        let budget = self.budget?;
+        let left = budget - self.spent;
         (predicted > left).then(|| {
             format!(
-                "it would take about {predicted:.1} s, and {:.1} s of the budget of {:.1} s are left: give more with --budget and \
-                 --resume",
-                left.max(0.0),
-                self.budget
+                "it would take about {predicted:.1} s, and {:.1} s of the budget of {budget:.1} s are left: give more with --budget \
+                 and --resume",
+                left.max(0.0)
             )
         })
     }
@@ -186,16 +217,18 @@ impl Books<'_> {
 /// Work of a variation over that of the case itself: steps times cells with soil, and how fast they are.
 #[must_use]
 pub fn relative_cost(case: &Case, variation: &Variation) -> f64 {
-    let work = |case: &Case| {
-        let estimate = estimate::estimate(case);
-        let speed = if case.numerics.precision == resolved::Precision::Single { SINGLE } else { 1.0 };
-        estimate.steps * estimate.filled_cells * speed
-    };
     work(&variation.case) / work(case)
 }
 
+/// Work of a case: steps times cells with soil, fewer in single precision.
+pub(super) fn work(case: &Case) -> f64 {
+    let estimate = estimate::estimate(case);
+    let speed = if case.numerics.precision == resolved::Precision::Single { SINGLE } else { 1.0 };
+    estimate.steps * estimate.filled_cells * speed
+}
+
 /// Whether the run of a variation has come to its end before; one of another version of it is run anew.
-fn has_ended(variation: &Variation, options: &RunOptions) -> Result<bool, RunError> {
+pub(super) fn has_ended(variation: &Variation, options: &RunOptions) -> Result<bool, RunError> {
     match ended_before(&variation.case, &variation_folder(options.folder, &variation.name)?) {
         Ok(summary) => Ok(summary.is_some()),
         Err(RunError::BrokeDownBefore { .. }) => Ok(true),
@@ -205,7 +238,7 @@ fn has_ended(variation: &Variation, options: &RunOptions) -> Result<bool, RunErr
 }
 
 /// Runs a variation; how it was stopped, if it was.
-fn run_variation(
+pub(super) fn run_variation(
     variation: &Variation,
     label: String,
     options: &RunOptions,
@@ -217,7 +250,7 @@ fn run_variation(
     let start = if is_other { Start::Replace } else { options.start };
     let own = RunOptions { folder: &folder, typed: &variation.typed, warnings: &[], start, ..*options };
     let _lock = lock(&own)?;
-    let part = Part { label, meshes: Vec::new(), is_beside: true };
+    let part = Part { label, is_beside: true };
     match run_locked(&variation.case, &own, &part) {
         Ok(End::Finished(_)) | Err(RunError::Physics { .. }) => Ok(None),
         Ok(stopped @ End::Stopped(..)) => Ok(Some(stopped)),

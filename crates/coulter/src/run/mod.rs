@@ -1,8 +1,8 @@
 //! A run from case to results: the loop of the simulation with those who write its results, and the report at
 //! its end.
 
+mod accuracy;
 mod confidence;
-mod meshes;
 mod observers;
 mod options;
 mod part;
@@ -14,7 +14,7 @@ use crate::simulation::{Simulation, Stop};
 use case::{Case, require_valid, resolved};
 use observers::{Checkpoints, Fields, Followed, ProgressBar, Signals, Tables, Watch, statistics};
 use report::pictures::Shown;
-use report::{Results, Summary, mean_lines, study_lines};
+use report::{Results, Summary, mean_lines};
 use results::checkpoint;
 use results::folder::{Outcome, StageRecord, clear_beside};
 use results::progress::{self, Progress};
@@ -25,8 +25,8 @@ use solver::precision::Precision;
 use std::path::Path;
 use std::time::Instant;
 
+pub use accuracy::run_accuracy;
 pub use confidence::{Budget, Request, relative_cost, run_confidence};
-pub use meshes::run_meshes;
 pub use options::{End, Follower, NoFollower, RunError, RunOptions, Start, alone};
 use part::Part;
 use processes::Processes;
@@ -54,7 +54,7 @@ pub fn run_followed(case: &Case, options: &RunOptions, follower: &mut dyn Follow
         return Ok(End::Finished(Box::new(summary)));
     }
     if options.start == Start::Replace {
-        // Those of an earlier mesh study and of variations are no longer of this result.
+        // Variations of an earlier result are no longer of this one.
         processes.first_alone(|| Ok(clear_beside(options.folder)?))?;
     }
     run_locked_followed(case, options, &Part::default(), follower)
@@ -84,7 +84,7 @@ fn run_in<R: Precision>(
     follower: &mut dyn Follower,
 ) -> Result<End, RunError> {
     let began = Instant::now();
-    let Opened { mut simulation, mut fields, mut results } = open::<R>(case, options, part)?;
+    let Opened { mut simulation, mut fields, mut results } = open::<R>(case, options)?;
     // Of several processes the first keeps the folder; the others have their soil to write.
     let quiet = options.quiet || results.is_none();
     let mut progress = Progress::start(case, simulation.state.time, quiet).labelled(&part.label);
@@ -202,9 +202,9 @@ fn closing_message(summary: &Summary, seconds: f64, (folder, part): (&Path, &Par
     }
     match summary.trust.verdict {
         // Why it is broken is reported as an error.
-        Verdict::Broken => [vec![format!("ended {end}")], study_lines(summary)].concat().join("\n"),
+        Verdict::Broken => format!("ended {end}"),
         Verdict::Good | Verdict::Doubtful => {
-            [vec![format!("done {end}")], study_lines(summary), verdict(summary)].concat().join("\n")
+            [vec![format!("done {end}")], verdict(summary)].concat().join("\n")
         }
     }
 }

@@ -1,14 +1,13 @@
 //! How a run begins: from the start, or where an earlier one stopped.
 
 use super::options::{RunError, RunOptions, Start};
-use super::part::Part;
 use super::processes::Processes;
 use crate::blocks;
 use crate::output::overlays;
 use crate::simulation::Simulation;
 use case::Case;
 use case::case_text;
-use report::{Results, Summary, clear_all, make_meshes_folder, require_nothing};
+use report::{Results, Summary};
 use results::OutputError;
 use results::checkpoint::{self, Checkpoint};
 use results::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
@@ -59,27 +58,6 @@ fn same_case(case: &Case, record: &RunRecord, folder: &Path) -> Result<(), RunEr
     Err(RunError::OtherCase(folder.to_path_buf()))
 }
 
-/// Prepares a folder for a mesh study: clears it if it is to be replaced, and records the case before any
-/// mesh is run, so that the folder is known for what it is. Whether the run on the case's own mesh starts
-/// anew.
-pub(super) fn begin_study(case: &Case, meshes: &[String], options: &RunOptions) -> Result<bool, RunError> {
-    let folder = options.folder;
-    if matches!(options.start, Start::Resume | Start::AutoResume) {
-        if let Contents::Run(record) = inspect(folder)? {
-            same_case(case, &record, folder)?;
-            make_meshes_folder(folder)?;
-            return Ok(false);
-        }
-    } else if options.start == Start::Replace {
-        clear_all(folder)?;
-    } else {
-        require_nothing(folder)?;
-    }
-    RunRecord { meshes: meshes.to_vec(), ..RunRecord::of(case) }.write(folder)?;
-    make_meshes_folder(folder)?;
-    Ok(true)
-}
-
 /// A run that is about to begin or to go on.
 pub(super) struct Opened<R: Precision> {
     pub(super) simulation: Simulation<R>,
@@ -89,11 +67,7 @@ pub(super) struct Opened<R: Precision> {
 }
 
 /// The simulation and its folder, new or resumed.
-pub(super) fn open<R: Precision>(
-    case: &Case,
-    options: &RunOptions,
-    part: &Part,
-) -> Result<Opened<R>, RunError> {
+pub(super) fn open<R: Precision>(case: &Case, options: &RunOptions) -> Result<Opened<R>, RunError> {
     let mut processes = Processes::of(options);
     let resumes = matches!(options.start, Start::Resume | Start::AutoResume);
     let grid = blocks::of_case::<R>(case, processes.place())?;
@@ -101,18 +75,18 @@ pub(super) fn open<R: Precision>(
     let exists = checkpoint::exists(options.folder);
     // The first process must not begin to change the folder before all have looked at it.
     processes.agree(Ok(()))?;
-    let Contents::Run(record) = found else { return create(case, options, part, (processes, None)) };
+    let Contents::Run(record) = found else { return create(case, options, (processes, None)) };
     same_case(case, &record, options.folder)?;
     if !exists {
         let why = "started again, because there was no checkpoint yet".to_owned();
-        return create(case, options, part, (processes, Some(why)));
+        return create(case, options, (processes, Some(why)));
     }
     match read_checkpoint(case, &grid, options, &mut processes) {
-        Ok(read) => resume(case, options, part, (processes, read, record.statistics.wall_seconds)),
+        Ok(read) => resume(case, options, (processes, read, record.statistics.wall_seconds)),
         Err(RunError::Output(OutputError::Content { path, problem })) => match options.start {
             Start::AutoResume => {
                 let why = format!("started again, because {} cannot be used: {problem}", path.display());
-                create(case, options, part, (processes, Some(why)))
+                create(case, options, (processes, Some(why)))
             }
             _ => Err(RunError::Unusable { path, problem }),
         },
@@ -155,15 +129,11 @@ fn read_checkpoint<R: Precision>(
 fn resume<R: Precision>(
     case: &Case,
     options: &RunOptions,
-    part: &Part,
     (mut processes, (checkpoint, damaged), wall_s): (Processes, (Checkpoint<R>, Option<String>), f64),
 ) -> Result<Opened<R>, RunError> {
     let (history, time, step) = (checkpoint.history.clone(), checkpoint.state.time, checkpoint.state.step);
     let results = processes.first_alone(|| {
         let mut results = Results::resume(options.folder, case, &history)?;
-        if !part.meshes.is_empty() {
-            results.name_meshes(&part.meshes)?;
-        }
         if let Some(problem) = damaged {
             checkpoint::forget_last(options.folder)?;
             results.log.line(&format!("fell back to the previous checkpoint: {problem}"))?;
@@ -179,13 +149,11 @@ fn resume<R: Precision>(
 fn create<R: Precision>(
     case: &Case,
     options: &RunOptions,
-    part: &Part,
     (mut processes, why): (Processes, Option<String>),
 ) -> Result<Opened<R>, RunError> {
     let may_replace = options.start == Start::Replace || why.is_some();
     let mut results = processes.first_alone(|| {
-        let mut results = Results::create(options.folder, case, may_replace)?;
-        results.name_meshes(&part.meshes)?;
+        let results = Results::create(options.folder, case, may_replace)?;
         results.write_case_file(case, options.typed)?;
         Ok(results)
     })?;

@@ -84,6 +84,7 @@ def run(
     threads: int | None = None,
     meshes: int | None = None,
     confidence: bool = False,
+    accuracy: str | None = None,
     budget: str | None = None,
     without: tuple[str, ...] = (),
     on_sample: Callable[[Sample], object] | None = None,
@@ -103,10 +104,11 @@ def run(
         threads: threads of the solver, 0 for as many as ``coulter run`` has by default; by default those of the case. They change no bit of the results.
         meshes: run the case on so many meshes, to get intervals.
         confidence: run variations of the case as well, to get one 90 % interval for each force and sinkage.
-        budget: how long the variations may take together: ``"20 min"``, or ``"4x"`` the run itself.
+        accuracy: choose the cells, so that the 90 % intervals become as narrow as wanted: ``"5 %"``, or ``"drag 5 %, sinkage 8 %"``.
+        budget: how long the variations, or all runs with ``accuracy``, may take together: ``"20 min"``, or ``"4x"`` the run itself.
         without: what the intervals leave out: ``"domain"``, ``"speed"``, ``"mesh"``, ``"precision"``.
         on_sample: called in this thread with every :class:`Sample` of the case's run, in order, while the solver waits; not with
-            ``meshes`` or ``confidence``. Returning ``False`` stops the run at this sample, and an exception does so and is raised; both
+            ``meshes``, ``confidence`` or ``accuracy``. Returning ``False`` stops the run at this sample, and an exception does so and is raised; both
             leave a checkpoint.
         progress: show a bar on standard error.
 
@@ -118,10 +120,12 @@ def run(
         RequestError: the request is wrong: the folder holds another run, a file cannot be written.
         BrokenRun: the physics failed, or the result is graded broken; its ``result`` shows what was written.
     """
-    if on_sample is not None and (meshes is not None or confidence):
-        raise ValueError("on_sample follows one run: it does not go with meshes or confidence")
-    if budget is not None and not confidence or without and not confidence:
-        raise ValueError("budget and without belong to confidence=True")
+    if on_sample is not None and (meshes is not None or confidence or accuracy is not None):
+        raise ValueError("on_sample follows one run: it does not go with meshes, confidence or accuracy")
+    if accuracy is not None and (meshes is not None or confidence):
+        raise ValueError("accuracy chooses its own meshes: it does not go with meshes or confidence")
+    if budget is not None and not confidence and accuracy is None or without and not confidence:
+        raise ValueError("budget belongs to confidence=True or accuracy, without to confidence=True")
     call = {
         "source": source_of(case),
         "set": assignments(set),
@@ -130,6 +134,7 @@ def run(
         "threads": threads,
         "meshes": meshes,
         "confidence": confidence,
+        "accuracy": accuracy,
         "budget": budget,
         "without": list(without),
         "quiet": not progress,

@@ -3,9 +3,9 @@
 use super::chart::Chart;
 use super::curve::{Curve, Stroke};
 use super::plot::Plot;
-use results::mesh_study::Convergence;
+use results::confidence::Convergence;
 
-/// Points of the curve of the observed order.
+/// Points of the curve of the trend.
 const POINTS: usize = 40;
 
 /// A figure on several meshes.
@@ -21,9 +21,7 @@ pub(crate) struct MeshPlot<'a> {
     pub(crate) unit: f64,
     /// Representative cell width [m] and value on each mesh, from coarse to fine.
     pub(crate) values: &'a [[f64; 2]],
-    /// The interval.
-    pub(crate) interval: [f64; 2],
-    /// How the figure converges.
+    /// What infinitely small cells would give.
     pub(crate) convergence: &'a Convergence,
 }
 
@@ -33,14 +31,18 @@ impl MeshPlot<'_> {
     pub(crate) fn plot(&self) -> Plot {
         let point = |h: f64, value: f64| [1e3 * h, value / self.unit];
         let dots = self.values.iter().map(|[h, value]| point(*h, *value)).collect();
-        let finest = self.values.last().map_or(0.0, |[h, _]| *h);
-        let [low, high] = self.interval;
-        let bracket = vec![point(0.0, low), point(finest, low), point(finest, high), point(0.0, high)];
+        let Convergence { extrapolated, half_width, .. } = *self.convergence;
+        let limit = [-1.0, 1.0].map(|side| point(0.0, extrapolated + side * half_width));
         let mut curves = vec![
-            Curve { name: "interval".to_owned(), points: bracket, colour: 1, stroke: Stroke::Solid },
+            Curve {
+                name: "90 % of h = 0".to_owned(),
+                points: limit.to_vec(),
+                colour: 1,
+                stroke: Stroke::Solid,
+            },
             Curve { name: "steady mean".to_owned(), points: dots, colour: 0, stroke: Stroke::Dots },
         ];
-        curves.extend(self.order_curve());
+        curves.extend(self.trend());
         let chart = Chart {
             title: self.title.clone(),
             x_label: "cell width h [mm]".to_owned(),
@@ -48,22 +50,21 @@ impl MeshPlot<'_> {
             curves,
             ..Chart::default()
         };
-        let caption = "The steady mean on each mesh against the representative cell width, and the interval that holds the value for \
-                       h = 0 and a long tow."
+        let caption = "The steady mean on each mesh against the representative cell width, what is expected in between, and the interval (90 %) of \
+                       what infinitely small cells would give."
             .to_owned();
         Plot { name: self.name.clone(), svg: chart.svg(), caption }
     }
 
-    /// f₀ + (f₁ − f₀)(h/h₁)^p over the widths.
-    fn order_curve(&self) -> Option<Curve> {
-        let (limit, order) = (self.convergence.extrapolated?, self.convergence.order);
-        let ([coarsest, _], [finest, value]) = (self.values.first()?, self.values.last()?);
+    /// The trend over the widths.
+    fn trend(&self) -> Option<Curve> {
+        let ([coarsest, _], [finest, _]) = (self.values.first()?, self.values.last()?);
         let at = |n: usize| {
             let h = coarsest * n as f64 / POINTS as f64;
-            [1e3 * h, (limit + (value - limit) * (h / finest).powf(order)) / self.unit]
+            [1e3 * h, self.convergence.at(h / finest) / self.unit]
         };
         let points = (0..=POINTS).map(at).collect();
-        Some(Curve { name: format!("order {order:.2}"), points, colour: 0, stroke: Stroke::Dashed })
+        Some(Curve { name: "expected".to_owned(), points, colour: 0, stroke: Stroke::Dashed })
     }
 }
 
@@ -74,22 +75,25 @@ mod tests {
     #[test]
     fn values_interval_and_order_are_drawn() {
         let values = [[0.0225, 15.0], [0.015, 14.5], [0.01, 14.2]];
-        let order = Convergence { extrapolated: Some(13.8), order: 1.3, ..Convergence::default() };
-        for (convergence, curves) in [(order, 2), (Convergence::default(), 1)] {
-            let plot = MeshPlot {
-                name: "disc_meshes_drag".into(),
-                title: "Drag".into(),
-                label: "F_H [N]".into(),
-                unit: 1.0,
-                values: &values,
-                interval: [13.0, 15.4],
-                convergence: &convergence,
-            };
-            let svg = plot.plot().svg;
-            assert_eq!(svg.matches("stroke-linejoin=\"round\"").count(), curves);
-            // Three dots.
-            assert_eq!(svg.matches("h0").count(), 3);
-            assert!(!svg.contains("NaN"));
-        }
+        let convergence = Convergence {
+            extrapolated: 13.8,
+            half_width: 1.2,
+            error: 0.4,
+            order: 1.3,
+            ..Convergence::default()
+        };
+        let plot = MeshPlot {
+            name: "disc_meshes_drag".into(),
+            title: "Drag".into(),
+            label: "F_H [N]".into(),
+            unit: 1.0,
+            values: &values,
+            convergence: &convergence,
+        };
+        let svg = plot.plot().svg;
+        assert_eq!(svg.matches("stroke-linejoin=\"round\"").count(), 2);
+        // Three dots.
+        assert_eq!(svg.matches("h0").count(), 3);
+        assert!(!svg.contains("NaN"));
     }
 }

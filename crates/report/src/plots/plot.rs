@@ -8,6 +8,7 @@ use results::history::quantities::{NO_DRAG, Steady};
 use results::history::reference::Reference;
 use results::history::steady::{is_tow, moving_average};
 use results::overlay::{Overlay, PlotKind};
+use serde::Serialize;
 
 /// Width of the moving average of the force curves, over the reference length d (chosen: suppresses
 /// fluctuations with the grid spacing, preserves changes over more than a cell width of tow).
@@ -19,7 +20,7 @@ const OVERLAY_COLOUR: usize = 3;
 type Entry = (&'static str, fn(&BodySample) -> f64);
 
 /// A plot of a report: its name, the SVG text, and a caption.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plot {
     /// Name of the file.
     pub name: String,

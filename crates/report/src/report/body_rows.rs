@@ -4,6 +4,7 @@
 use super::rows::{NONE, TableRow, bare, symbol, value};
 use super::summary::{BodySummary, RimSummary};
 use input::readable::{Unit, digits};
+use results::confidence::BodyConfidence;
 use results::history::RutSection;
 use results::history::quantities::{NO_DRAG, Quantity, Steady, Traction};
 use results::history::reference::Reference;
@@ -12,6 +13,7 @@ use results::history::rim::{RimPlace, SlipReversal};
 /// Collects the rows of one body: a quantity with its unit, and its dimensionless group.
 struct BodyRows<'a> {
     reference: &'a Reference,
+    confidence: Option<&'a BodyConfidence>,
     rows: Vec<TableRow>,
 }
 
@@ -60,7 +62,8 @@ impl BodyRows<'_> {
     fn mean(&mut self, quantity: Quantity, steady: &Steady) {
         let (unit, figure) = (quantity.column.unit, quantity.figure);
         self.push(&quantity.title(), &symbol(quantity), self.shown(unit, quantity.mean(steady)), figure.note);
-        self.bound(quantity.mesh_interval(steady), |size| Unit::of(unit, size));
+        let interval = self.confidence.and_then(|body| body.figures.get(&quantity.key()));
+        self.bound(interval.map(|figure| figure.interval), |size| Unit::of(unit, size));
     }
 
     /// A value of this unit and its dimensionless group.
@@ -80,11 +83,11 @@ const SAME_DEPTH: f64 = 1.0 - 1e-6;
 /// has no value is left out.
 pub(super) fn body_rows(
     reference: &Reference,
-    body: &BodySummary,
+    (body, confidence): (&BodySummary, Option<&BodyConfidence>),
     rut: Option<&RutSection>,
 ) -> [Vec<TableRow>; 2] {
     let steady = &body.steady;
-    let new = || BodyRows { reference, rows: Vec::new() };
+    let new = || BodyRows { reference, confidence, rows: Vec::new() };
     let (mut key, mut further) = (new(), new());
     let (forces, others): (Vec<_>, Vec<_>) = Quantity::all().into_iter().partition(|q| q.column.unit == "N");
     mean_rows([&mut key, &mut further], forces, steady);

@@ -1,10 +1,16 @@
 //! Intervals as people read them: on the terminal and in the report.
 
-use super::summary::Summary;
+use super::rows::value;
+use super::summary::{BodySummary, Summary};
+use crate::plots::{MeshPlot, Plot};
 use input::readable::{Unit, digits};
-use results::confidence::{BodyConfidence, ConfidenceInterval, Contribution, Status, VariationResult};
+use results::confidence::variations::ErrorSource;
+use results::confidence::{
+    BodyConfidence, Confidence, ConfidenceInterval, Contribution, Status, VariationResult,
+};
 use results::history::quantities::Quantity;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// A variation.
 #[derive(Debug, Serialize)]
@@ -15,6 +21,8 @@ pub(super) struct VariationRow {
     pub(super) what: String,
     pub(super) status: &'static str,
     pub(super) time: String,
+    /// The figures of its bodies; empty where there are none.
+    pub(super) figures: String,
     /// Its grade; empty where it was not run.
     pub(super) verdict: &'static str,
     pub(super) folder: String,
@@ -47,6 +55,8 @@ pub(super) struct BodyIntervals {
     pub(super) name: String,
     pub(super) problem: Option<String>,
     pub(super) figures: Vec<FigureRow>,
+    /// Its figures over the cell width.
+    pub(super) plots: Vec<Plot>,
 }
 
 /// All that is shown of the intervals.
@@ -54,7 +64,8 @@ pub(super) struct BodyIntervals {
 pub(super) struct ConfidenceSection {
     pub(super) bodies: Vec<BodyIntervals>,
     pub(super) variations: Vec<VariationRow>,
-    pub(super) budget: String,
+    /// What the variations took, and of how much.
+    pub(super) time: String,
 }
 
 /// The section of the report; `None` without intervals.
@@ -64,12 +75,85 @@ pub(super) fn section(summary: &Summary) -> Option<ConfidenceSection> {
         name: name.clone(),
         problem: body.no_interval_because.clone(),
         figures: body.figures.iter().map(|(key, figure)| figure_row(key, figure)).collect(),
+        plots: body
+            .figures
+            .iter()
+            .filter_map(|(key, figure)| mesh_plot(confidence, name, key, figure))
+            .collect(),
     };
     Some(ConfidenceSection {
         bodies: confidence.bodies.iter().map(body).collect(),
         variations: confidence.variations.iter().map(variation_row).collect(),
-        budget: format!("{} s of {} s", digits(confidence.spent_s), digits(confidence.budget_s)),
+        time: match confidence.budget_s {
+            Some(budget) => format!("{} s of {} s", digits(confidence.spent_s), digits(budget)),
+            None => format!("{} s", digits(confidence.spent_s)),
+        },
     })
+}
+
+/// A figure over the cell width; `None` where its meshes were not examined.
+fn mesh_plot(all: &Confidence, body: &str, key: &str, figure: &ConfidenceInterval) -> Option<Plot> {
+    let convergence = figure.contributions.iter().find_map(|part| part.convergence.as_ref())?;
+    let quantity = Quantity::keyed(key)?;
+    let on_mesh = |result: &VariationResult| {
+        let is_one = result.source == ErrorSource::Mesh && result.status == Status::Examined;
+        let value = result.bodies.get(body).filter(|_| is_one)?.get(key)?;
+        Some([result.width_m, *value])
+    };
+    let mut values: Vec<[f64; 2]> = all.variations.iter().filter_map(on_mesh).collect();
+    values.push([all.width_m, figure.value]);
+    values.sort_by(|a, b| b[0].total_cmp(&a[0]));
+    let unit = Unit::of(quantity.column.unit, values.iter().fold(0.0, |most, v| v[1].abs().max(most)));
+    let label = match unit.name {
+        "" => quantity.figure.symbol.to_owned(),
+        name => format!("{} [{name}]", quantity.figure.symbol),
+    };
+    let plot = MeshPlot {
+        name: format!("{body}_meshes_{}", quantity.figure.words.replace(' ', "_")),
+        title: format!("{} and cell width", quantity.title()),
+        label,
+        unit: unit.size,
+        values: &values,
+        convergence,
+    };
+    Some(plot.plot())
+}
+
+/// The figures of a variation in words; those of several bodies with their names.
+fn figures(result: &VariationResult) -> String {
+    let of_body = |(name, figures): (&String, &BTreeMap<String, f64>)| {
+        let known = figures.iter().filter_map(|(key, value)| Some((named(key)?, *value)));
+        let shown = known.map(|(quantity, value)| {
+            let text = shown(quantity, Some(value));
+            format!("{} {text}", quantity.figure.symbol.replace(' ', ""))
+        });
+        let text = shown.collect::<Vec<_>>().join(", ");
+        if result.bodies.len() > 1 { format!("{name}: {text}") } else { text }
+    };
+    result.bodies.iter().map(of_body).collect::<Vec<_>>().join("; ")
+}
+
+/// The quantity with this key, if it has a symbol.
+fn named(key: &str) -> Option<Quantity> {
+    Quantity::keyed(key).filter(|quantity| !quantity.figure.symbol.is_empty())
+}
+
+/// A mean with its unit.
+fn shown(quantity: Quantity, mean: Option<f64>) -> String {
+    value(mean, |size| Unit::of(quantity.column.unit, size)).trim_end().to_owned()
+}
+
+/// The steady means of each body, a line each.
+pub fn mean_lines(summary: &Summary) -> Vec<String> {
+    let line = |(name, body): (&String, &BodySummary)| {
+        let means =
+            Quantity::with_intervals().filter(|q| !q.figure.symbol.is_empty()).filter_map(|quantity| {
+                let mean = quantity.mean(&body.steady)?;
+                Some(format!("{} {}", quantity.figure.symbol.replace(' ', ""), shown(quantity, Some(mean))))
+            });
+        format!("{name}: {}", means.collect::<Vec<_>>().join("  "))
+    };
+    summary.bodies.iter().map(line).collect()
 }
 
 fn variation_row(result: &VariationResult) -> VariationRow {
@@ -84,6 +168,7 @@ fn variation_row(result: &VariationResult) -> VariationRow {
         what,
         status: result.status.words(),
         time: result.wall_s.map_or(String::new(), |seconds| format!("{} s", digits(seconds))),
+        figures: figures(result),
         verdict: result.verdict.map_or("", |verdict| verdict.name()),
         folder: result.folder.clone(),
     }
@@ -147,17 +232,21 @@ pub fn confidence_lines(summary: &Summary) -> Vec<String> {
             lines.push(format!("    {}", parts.join("; ")));
         }
     }
-    let told = section.variations.iter().filter(|row| row.status != Status::Examined.words());
-    lines.extend(told.map(|row| format!("  {} ({}): {}; {}", row.name, row.source, row.status, row.what)));
-    lines.push(format!("  variations took {}", section.budget));
+    for row in section.variations.iter().filter(|row| row.status != Status::NotAskedFor.words()) {
+        let VariationRow { name, source, status, what, figures, time, verdict, .. } = row;
+        lines.push(if figures.is_empty() {
+            format!("  {name} ({source}): {status}; {what}")
+        } else {
+            format!("  {name} ({source}): {figures}; {time}, {verdict}")
+        });
+    }
+    lines.push(format!("  variations took {}", section.time));
     lines
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use results::confidence::Confidence;
-    use results::confidence::variations::ErrorSource;
 
     fn summary() -> Summary {
         let part = |source, status, side| Contribution {

@@ -1,13 +1,13 @@
 //! What a run says in three plain sentences: what happened, whether it can be trusted, and how far it may be
 //! off; and its main figures.
 //!
-//! ± is only said of intervals that were computed, by a mesh study or from variations. Without them the
+//! ± is only said of intervals that were computed, from variations of the case. Without them the
 //! scatter over the steady window is given and called so: it says nothing of mesh, domain and speed.
 
 use super::rows::NONE;
 use super::summary::{BodySummary, Summary};
 use input::readable::{Unit, digits};
-use results::confidence::BodyConfidence;
+use results::confidence::{BodyConfidence, Status};
 use results::folder::RunRecord;
 use results::history::blocks::{STUDENT_90, block_averages, standard_error};
 use results::history::quantities::{NO_DRAG, Quantity};
@@ -47,7 +47,7 @@ struct Figure {
 struct View<'a> {
     reference: &'a Reference,
     summary: &'a BodySummary,
-    /// Intervals from variations of the case, which hold more than those of a mesh study.
+    /// Intervals from variations of the case.
     confidence: Option<&'a BodyConfidence>,
     samples: &'a [BodySample],
 }
@@ -57,8 +57,8 @@ impl View<'_> {
     fn figure(&self, name: &str) -> Option<Figure> {
         let quantity = Quantity::named(name)?;
         let steady = &self.summary.steady;
-        let of_variations = self.confidence.and_then(|body| body.figures.get(&quantity.key()));
-        let interval = of_variations.map(|figure| figure.interval).or_else(|| quantity.mesh_interval(steady));
+        let interval =
+            self.confidence.and_then(|body| body.figures.get(&quantity.key())).map(|it| it.interval);
         // Of a body that is pressed down, force and sinkage are meant to change.
         let samples = if self.reference.towed { self.samples } else { &[] };
         let values: Vec<f64> = samples.iter().map(|s| quantity.column.value(s, self.reference)).collect();
@@ -243,27 +243,27 @@ fn largest_interval(summary: &Summary) -> Option<(String, f64, &'static str)> {
             let name = Quantity::keyed(key).map_or(key.as_str(), |quantity| quantity.figure.words);
             found.extend(figure.relative_half_width.map(|width| (name.to_owned(), width, source)));
         }
-    } else if let Some(study) = &summary.mesh_study {
-        for body in study.bodies.values() {
-            for (quantity, interval) in body.figures.iter() {
-                let Some(interval) = interval else { continue };
-                let by_mesh = interval.half_width.powi(2) > 2.0 * interval.statistical_half_width.powi(2);
-                let source = if by_mesh { "mesh" } else { "statistics" };
-                found.extend(
-                    interval
-                        .relative_half_width
-                        .map(|width| (quantity.figure.words.to_owned(), width, source)),
-                );
-            }
-        }
     }
     found.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// The sources that nobody asked for, in words: `domain and speed were`.
+fn not_asked_for(summary: &Summary) -> String {
+    let variations = summary.confidence.iter().flat_map(|confidence| &confidence.variations);
+    let words: Vec<&str> =
+        variations.filter(|v| v.status == Status::NotAskedFor).map(|v| v.source.word()).collect();
+    match &words[..] {
+        [] => String::new(),
+        [one] => format!("{one} was"),
+        [others @ .., last] => format!("{} and {last} were", others.join(", ")),
+    }
 }
 
 fn uncertain(summary: &Summary, views: &[View<'_>]) -> Option<String> {
     if let Some((name, width, source)) = largest_interval(summary) {
         let source = if source.is_empty() { String::new() } else { format!(", mostly due to the {source}") };
-        let examined = if summary.confidence.is_some() { "" } else { "; domain and speed were not examined" };
+        let left_out = not_asked_for(summary);
+        let examined = if left_out.is_empty() { String::new() } else { format!("; {left_out} not examined") };
         let name = name.to_lowercase();
         return Some(format!(
             "The largest uncertainty is that of the {name}, ± {} % (90 %){source}{examined}.",
@@ -349,6 +349,7 @@ fn rounded(number: f64, half: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use results::confidence::{Confidence, ConfidenceInterval};
     use results::history::quantities::Steady;
     use results::trust::Trust;
 
@@ -398,9 +399,12 @@ mod tests {
     #[test]
     fn intervals_become_plus_minus_and_lopsided_ones_ranges() {
         let (record, mut summary, history) = disc();
-        let steady = &mut summary.bodies.get_mut("disc").unwrap().steady;
-        steady.drag_interval = Some([13.6, 15.2]);
-        steady.sinkage_interval = Some([0.0105, 0.0135]);
+        let figure = |interval| ConfidenceInterval { interval, ..ConfidenceInterval::default() };
+        let figures = [("drag_N", [13.6, 15.2]), ("sinkage_m", [0.0105, 0.0135])];
+        let figures = figures.map(|(key, interval)| (key.to_owned(), figure(interval))).into();
+        let body = BodyConfidence { figures, ..BodyConfidence::default() };
+        let bodies = [("disc".to_owned(), body)].into();
+        summary.confidence = Some(Confidence { bodies, ..Confidence::default() });
         let what = &sentences(&record, &summary, &history)[0];
         let expected =
             "The disc resists the tow with 14.4 N ± 0.8 N at a sinkage of 11.0 mm (10.5 … 13.5 mm)";

@@ -11,15 +11,12 @@ mod cite;
 mod confidence;
 mod drawing;
 mod headline;
-mod meshes;
 mod page;
 mod rows;
 mod space;
 mod summary;
 
-pub use confidence::confidence_lines;
-pub use meshes::mean_lines;
-pub use meshes::study_lines;
+pub use confidence::{confidence_lines, mean_lines};
 pub(crate) use page::{ReportText, write_report};
 pub(crate) use summary::rims;
 pub use summary::{BodySummary, EnergySummary, RimSummary, SoilSummary, Summary};

@@ -6,10 +6,8 @@ use super::cite::{Citation, citation};
 use super::confidence::{self, ConfidenceSection};
 use super::drawing::is_drawing;
 use super::headline::{Tile, sentences, tiles};
-use super::meshes::{self, IntervalRow, MeshRow};
 use super::rows::{
-    CheckRow, TableRow, balance_rows, check_rows, energy_rows, facts, scales_text, statistics, symbol,
-    window_text,
+    CheckRow, TableRow, balance_rows, check_rows, energy_rows, facts, scales_text, statistics, window_text,
 };
 use super::space::{Space, space};
 use super::summary::{BodySummary, Summary};
@@ -21,7 +19,6 @@ use base64::engine::general_purpose::STANDARD;
 use results::files::{Inside, Named, OutputError, PLOTS, file_safe, read_text, write_whole};
 use results::folder::{Outcome, RunRecord};
 use results::history::History;
-use results::history::quantities::Quantity;
 use results::history::reference::Reference;
 use results::history::rim::RimLine;
 use results::overlay::Overlay;
@@ -74,18 +71,6 @@ struct BodySection {
     plots: Vec<Figure>,
 }
 
-/// A body of a mesh study.
-#[derive(Debug, Serialize)]
-struct MeshSection {
-    name: String,
-    problem: Option<String>,
-    /// Of the quantities whose means the rows show.
-    symbols: Vec<String>,
-    meshes: Vec<MeshRow>,
-    intervals: Vec<IntervalRow>,
-    plots: Vec<Figure>,
-}
-
 #[derive(Debug, Serialize)]
 struct Page<'a> {
     record: &'a RunRecord,
@@ -99,7 +84,6 @@ struct Page<'a> {
     parts: Vec<ForceRow>,
     joints: Vec<ForceRow>,
     confidence: Option<ConfidenceSection>,
-    meshes: Vec<MeshSection>,
     pictures: Vec<Figure>,
     energy: Vec<TableRow>,
     balances: Vec<TableRow>,
@@ -134,8 +118,15 @@ pub(crate) fn write_report(
         write_plots(dir, &plots)?;
         let rut = summary.ruts.get(&reference.name);
         let tiles = tiles(record, summary, history, &reference.name);
-        let [rows, further] = body_rows(reference, body, rut);
-        bodies.push(BodySection { tiles, rows, further, ..body_section(record, reference, body, plots) });
+        let confidence = summary.confidence.as_ref().and_then(|all| all.bodies.get(&reference.name));
+        let [rows, further] = body_rows(reference, (body, confidence), rut);
+        let has_intervals = confidence.is_some_and(|body| !body.figures.is_empty());
+        let section = body_section(record, reference, body, plots);
+        bodies.push(BodySection { tiles, rows, further, has_intervals, ..section });
+    }
+    let intervals = confidence::section(summary);
+    for body in intervals.iter().flat_map(|section| &section.bodies) {
+        write_plots(dir, &body.plots)?;
     }
     let balance_plots = vec![energy_plot(&history.energy), closure_plot(&record.setting, &history.energy)];
     write_plots(dir, &balance_plots)?;
@@ -152,8 +143,7 @@ pub(crate) fn write_report(
         all_bodies: assembly::all_bodies(summary),
         parts: assembly::part_rows(record, summary),
         joints: assembly::joint_rows(record, summary),
-        confidence: confidence::section(summary),
-        meshes: mesh_sections(dir, summary)?,
+        confidence: intervals,
         pictures: pictures(dir)?,
         energy: energy_rows(record, summary),
         balances: balance_rows(record, summary),
@@ -166,23 +156,6 @@ pub(crate) fn write_report(
     let file = Inside::of(dir, "report.html");
     let html = render(&page).map_err(|e| OutputError::content(&file.path(), e))?;
     write_whole(&file, html.as_bytes())
-}
-
-/// The bodies of the mesh study, if there is one.
-fn mesh_sections(dir: &Path, summary: &Summary) -> Result<Vec<MeshSection>, OutputError> {
-    let mut sections = Vec::new();
-    for body in summary.mesh_study.iter().flat_map(meshes::body_rows) {
-        write_plots(dir, &body.plots)?;
-        sections.push(MeshSection {
-            name: body.name,
-            problem: body.problem,
-            symbols: Quantity::on_meshes().map(symbol).collect(),
-            meshes: body.meshes,
-            intervals: body.intervals,
-            plots: body.plots.into_iter().map(figure).collect(),
-        });
-    }
-    Ok(sections)
 }
 
 fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
@@ -255,7 +228,7 @@ fn body_section(
     plots: Vec<Plot>,
 ) -> BodySection {
     BodySection {
-        has_intervals: body.steady.drag_interval.is_some() || body.steady.vertical_interval.is_some(),
+        has_intervals: false,
         name: reference.name.clone(),
         kind: reference.kind.clone(),
         window: window_text(body),

@@ -10,9 +10,8 @@ use results::history::quantities::{Figures, Quantity, Steady, finite};
 use results::history::rim::{RimAverage, RimPlace, SlipReversal, shear_reversals, slip_reversals};
 use results::history::steady::{Peak, SteadyWindow, peak};
 use results::history::{EnergySample, ForceSample, History, RutSection};
-use results::mesh_study::MeshStudy;
 use results::trust::body::Mesh;
-use results::trust::{Check, Setting, Trust};
+use results::trust::{Setting, Trust};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -62,9 +61,7 @@ pub struct Summary {
     pub stages: Vec<StageRecord>,
     /// Whether the results can be trusted.
     pub trust: Trust,
-    /// The case on several meshes; `null` where only one was run.
-    pub mesh_study: Option<MeshStudy>,
-    /// Intervals from variations of the case; `null` without `--confidence`.
+    /// Intervals from variations of the case; `null` without `--confidence` and `--meshes`.
     pub confidence: Option<Confidence>,
 }
 
@@ -308,33 +305,10 @@ impl Summary {
         self.soil.leaked_m3 = leaks.map(|s| s.leaked_volume).filter(|v| v.is_finite()).sum::<f64>() + 0.0;
     }
 
-    /// Adds a mesh study: intervals of the steady means, and its checks to the grade.
-    pub(crate) fn set_mesh_study(&mut self, study: MeshStudy, checks: Vec<Check>) {
-        self.remove_mesh_study();
-        for (name, body) in &study.bodies {
-            if let Some(BodySummary { steady, .. }) = self.bodies.get_mut(name) {
-                for (quantity, figure) in body.figures.iter() {
-                    quantity.set_mesh_interval(steady, figure.map(|figure| figure.interval));
-                }
-            }
-        }
-        self.trust.set_mesh_checks(checks);
-        self.mesh_study = Some(study);
-    }
-
     /// Adds the intervals that follow from variations of the case, and their checks to the grade.
     pub(crate) fn set_confidence(&mut self, confidence: Confidence) {
         self.trust.set_confidence_checks(confidence.checks());
         self.confidence = Some(confidence);
-    }
-
-    /// The summary as it is without a mesh study.
-    pub(crate) fn remove_mesh_study(&mut self) {
-        for BodySummary { steady, .. } in self.bodies.values_mut() {
-            Quantity::on_meshes().for_each(|quantity| quantity.set_mesh_interval(steady, None));
-        }
-        self.trust.set_mesh_checks(Vec::new());
-        self.mesh_study = None;
     }
 
     /// Cells with soil times steps, per second of wall-clock time.

@@ -14,6 +14,7 @@ pub(super) fn hash() -> [u8; 8] {
 mod tests {
     use super::LAYOUT;
     use crate::checkpoint::Checkpoint;
+    use mechanics::Motion;
     use serde_reflection::{Tracer, TracerConfig};
     use solver::fields::HISTORY;
     use solver::portion::Portion;
@@ -23,7 +24,8 @@ mod tests {
     fn the_layout_is_that_of_the_types() {
         let mut tracer = Tracer::new(TracerConfig::default());
         tracer.trace_simple_type::<Checkpoint>().unwrap();
-        tracer.trace_simple_type::<Portion>().unwrap();
+        tracer.trace_simple_type::<Portion<f64>>().unwrap();
+        tracer.trace_simple_type::<Motion>().unwrap();
         let names: Vec<&str> = HISTORY.iter().map(|variable| variable.name).collect();
         let mut layout = format!("history variables: {}\n", names.join(", "));
         for (name, format) in tracer.registry().unwrap() {

@@ -1,7 +1,8 @@
 //! What the variations of a case say. The names are part of `summary.json`, a contract.
 
+use super::convergence::Convergence;
+use super::wanted::Wanted;
 use crate::confidence::variations::ErrorSource;
-use crate::mesh_study::Convergence;
 use crate::trust::Verdict;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -10,10 +11,13 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Confidence {
-    /// Wall-clock time that the variations were allowed to take together [s].
-    pub budget_s: f64,
+    /// Wall-clock time that the variations were allowed to take together [s]; `null` without a limit.
+    pub budget_s: Option<f64>,
     /// Wall-clock time that they took [s].
     pub spent_s: f64,
+    /// How accurate the figures were to be; nothing without `--accuracy`.
+    #[serde(skip_serializing_if = "Wanted::is_nothing")]
+    pub wanted: Wanted,
     /// Representative cell width of the case's own mesh [m].
     pub width_m: f64,
     /// The variations, in the order in which they are run.
@@ -28,8 +32,10 @@ pub struct Confidence {
 pub enum Status {
     /// It was run, and counts.
     Examined,
-    /// It does not apply to the case, or was left out on request.
+    /// It does not apply to the case.
     NotApplicable,
+    /// Nobody asked for it.
+    NotAskedFor,
     /// It was not run for lack of budget.
     #[default]
     NotExamined,
@@ -46,6 +52,7 @@ impl Status {
         match self {
             Self::Examined => "examined",
             Self::NotApplicable => "does not apply",
+            Self::NotAskedFor => "not asked for",
             Self::NotExamined => "not examined",
             Self::NotComparable => "not comparable",
             Self::Broken => "broken",

@@ -6,11 +6,15 @@
 
 mod checks;
 mod combine;
+mod convergence;
 mod evaluate;
 mod figures;
 mod statistics;
 pub mod variations;
+mod wanted;
 
 pub use combine::{REACH_DOMAIN, REACH_SPEED, SAFETY_PRECISION};
+pub use convergence::{Convergence, OnMesh};
 pub use evaluate::{VariedRun, evaluate};
 pub use figures::{BodyConfidence, Confidence, ConfidenceInterval, Contribution, Status, VariationResult};
+pub use wanted::Wanted;

@@ -14,6 +14,6 @@ pub use inside::{EntryKind, Inside};
 pub use io::{make_folder, read_json, read_text, write_copy, write_json, write_whole, write_with};
 
 pub use names::{
-    BODIES, CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED,
-    VARIATIONS, file_safe,
+    BODIES, CHECKPOINTS, FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED, VARIATIONS,
+    file_safe,
 };

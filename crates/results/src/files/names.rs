@@ -6,8 +6,6 @@ pub const CHECKPOINTS: &str = "checkpoints";
 pub const BODIES: &str = "bodies";
 /// Folder of the field files.
 pub const FIELDS: &str = "fields";
-/// Folder of the runs on coarser meshes.
-pub const MESHES: &str = "meshes";
 /// Folder of the pictures.
 pub const PICTURES: &str = "pictures";
 /// Folder of the plots.

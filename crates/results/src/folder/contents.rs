@@ -3,8 +3,8 @@
 use super::lock::LOCK;
 use super::run_record::{Outcome, RUN_RECORD, RunRecord};
 use crate::files::{
-    BODIES, CHECKPOINTS, EntryKind, FIELDS, Inside, LISTS, LOG, MESHES, Named, OutputError, PICTURES, PLOTS,
-    REPORT, RESOLVED, SUMMARY, TYPED, VARIATIONS,
+    BODIES, CHECKPOINTS, EntryKind, FIELDS, Inside, LISTS, LOG, Named, OutputError, PICTURES, PLOTS, REPORT,
+    RESOLVED, SUMMARY, TYPED, VARIATIONS,
 };
 use crate::tables::{
     BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, HEIGHT_MAP_FILE, HistoryNames, filtered_name,
@@ -41,11 +41,12 @@ pub fn inspect(dir: &Path) -> Result<Contents, OutputError> {
     }
     let early = [LOCK.to_owned(), format!("{RUN_RECORD}.part")];
     for name in Inside::of(dir, "").names().named("list", dir)? {
-        // Runs on coarser meshes outlive that on the finest while it is started again, and so do variations.
-        let mut is_ours = early.iter().any(|e| name == e.as_str());
-        for folder in BESIDE.into_iter().filter(|folder| name == *folder) {
-            is_ours = runs_in(&Inside::of(dir, folder))?.iter().all(|(_, contents)| !contents.is_foreign());
-        }
+        // Variations outlive the case's own run while that is started again.
+        let is_ours = if name == VARIATIONS {
+            runs_in(&Inside::of(dir, VARIATIONS))?.iter().all(|(_, contents)| !contents.is_foreign())
+        } else {
+            early.iter().any(|e| name == e.as_str())
+        };
         if !is_ours {
             return Ok(Contents::Foreign);
         }
@@ -58,9 +59,6 @@ impl Contents {
         matches!(self, Self::Foreign)
     }
 }
-
-/// The folders that hold runs beside that of the case: on coarser meshes, and of its variations.
-const BESIDE: [&str; 2] = [MESHES, VARIATIONS];
 
 /// The folders of runs in such a folder, with their contents.
 fn runs_in(folder: &Inside) -> Result<Vec<(Inside, Contents)>, OutputError> {
@@ -78,13 +76,10 @@ fn runs_in(folder: &Inside) -> Result<Vec<(Inside, Contents)>, OutputError> {
     runs.collect()
 }
 
-/// Removes the runs on coarser meshes and those of variations, and their folders if nothing else is in them;
-/// what no run has written stays.
+/// Removes the runs of variations, and their folders if nothing else is in them; what no run has written
+/// stays.
 pub fn clear_beside(dir: &Path) -> Result<(), OutputError> {
-    BESIDE.into_iter().try_for_each(|name| clear_runs(&Inside::of(dir, name)))
-}
-
-fn clear_runs(folder: &Inside) -> Result<(), OutputError> {
+    let folder = &Inside::of(dir, VARIATIONS);
     for (run, contents) in runs_in(folder)? {
         if let Contents::Run(record) = &contents {
             remove_result(&run.path(), record)?;

@@ -110,8 +110,6 @@ pub struct RunRecord {
     pub cell: f64,
     /// Representative cell width [m].
     pub cell_width: f64,
-    /// Names of the coarser meshes that the case is run on as well, the coarsest first.
-    pub meshes: Vec<String>,
     /// Duration of the run [s].
     pub duration: f64,
     /// Fraction of the tow over which steady averages are taken.
@@ -208,7 +206,6 @@ impl RunRecord {
             finest_cell: widths.reduce(f64::min).unwrap_or(case.grid.cell),
             cell: case.grid.cell,
             cell_width: representative_width(case),
-            meshes: Vec::new(),
             duration: case.duration,
             steady_fraction: case.output.steady_fraction,
             steady_stage: case.steady_stage(),

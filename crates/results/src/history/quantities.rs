@@ -20,7 +20,6 @@ const NO_FORCE: f64 = 1e-4;
 
 type Text = &'static str;
 type MeanPlace = fn(&mut Steady) -> &mut Option<f64>;
-type IntervalPlace = fn(&mut Steady) -> &mut Option<[f64; 2]>;
 
 /// A column of a history file.
 #[derive(Debug)]
@@ -87,16 +86,14 @@ impl<S: Copy> Column<S> {
     /// Makes it a quantity with a steady mean: names, symbol, what the report says beside the mean, and where
     /// the mean stands.
     const fn figure(mut self, name: Text, words: Text, symbol: Text, note: Text, mean: MeanPlace) -> Self {
-        let (scale, mesh_interval) = (None, None);
-        self.figure = Some(Figure { name, words, symbol, note, mean, scale, mesh_interval });
+        self.figure = Some(Figure { name, words, symbol, note, mean, scale: None });
         self
     }
 
-    /// Gives the mean intervals: what half-widths are compared with, and where that of a mesh study stands,
-    /// if it knows one.
-    const fn interval(mut self, scale: Scale, mesh_interval: Option<IntervalPlace>) -> Self {
+    /// Gives the mean intervals: what half-widths are compared with.
+    const fn interval(mut self, scale: Scale) -> Self {
         if let Some(figure) = &mut self.figure {
-            (figure.scale, figure.mesh_interval) = (Some(scale), mesh_interval);
+            figure.scale = Some(scale);
         }
         self
     }
@@ -139,8 +136,6 @@ pub struct Figure {
     pub(crate) mean: MeanPlace,
     /// What half-widths of its intervals are compared with; `None` where it has no intervals.
     pub(crate) scale: Option<Scale>,
-    /// Where the interval of a mesh study stands; `None` where such a study knows none.
-    pub(crate) mesh_interval: Option<IntervalPlace>,
 }
 
 /// What the half-widths of intervals of a quantity are compared with.
@@ -193,9 +188,9 @@ impl Quantity {
         all
     }
 
-    /// Those of which a mesh study knows intervals.
-    pub fn on_meshes() -> impl Iterator<Item = Self> {
-        Self::all().into_iter().filter(|quantity| quantity.figure.mesh_interval.is_some())
+    /// Those that have intervals.
+    pub fn with_intervals() -> impl Iterator<Item = Self> {
+        Self::all().into_iter().filter(|quantity| quantity.figure.scale.is_some())
     }
 
     /// The one with this name, such as `vertical`.
@@ -233,18 +228,6 @@ impl Quantity {
         *(self.figure.mean)(&mut steady.clone())
     }
 
-    /// The interval of its mean from a mesh study, in its unit.
-    pub fn mesh_interval(&self, steady: &Steady) -> Option<[f64; 2]> {
-        *(self.figure.mesh_interval?)(&mut steady.clone())
-    }
-
-    /// Takes over the interval of a mesh study, in its unit, if such a study knows one.
-    pub fn set_mesh_interval(&self, steady: &mut Steady, interval: Option<[f64; 2]>) {
-        if let Some(place) = self.figure.mesh_interval {
-            *place(steady) = interval;
-        }
-    }
-
     /// Its averages over the blocks of a window; `None` if there are too few samples, or where it is not
     /// defined.
     pub(crate) fn blocks(&self, inside: &[BodySample], reference: &Reference) -> Option<[f64; BLOCKS]> {
@@ -272,11 +255,6 @@ impl Quantity {
 pub struct Figures<T>(Vec<(Quantity, T)>);
 
 impl<T> Figures<T> {
-    /// What `value` makes of each quantity of which a mesh study knows intervals.
-    pub fn on_meshes(value: impl Fn(Quantity) -> T) -> Self {
-        Self(Quantity::on_meshes().map(|quantity| (quantity, value(quantity))).collect())
-    }
-
     /// What `value` makes of each force.
     pub fn of_forces(value: impl Fn(Quantity) -> T) -> Self {
         let forces = Quantity::all().into_iter().filter(|quantity| quantity.column.unit == "N");
@@ -294,12 +272,6 @@ impl<T: Copy> Figures<Option<T>> {
     #[must_use]
     pub fn get(&self, name: &str) -> Option<T> {
         self.iter().find(|(quantity, _)| quantity.figure.name == name).and_then(|(_, value)| *value)
-    }
-}
-
-impl<T: Default> Default for Figures<T> {
-    fn default() -> Self {
-        Self::on_meshes(|_| T::default())
     }
 }
 
@@ -440,18 +412,6 @@ pub struct Steady {
     /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow, and
     /// of too few samples.
     pub is_steady: Option<bool>,
-    /// Interval of the mean drag [N] from a mesh study; `null` where only one mesh was run, as are the next
-    /// three.
-    #[serde(rename = "drag_N_interval")]
-    pub drag_interval: Option<[f64; 2]>,
-    /// Interval of the mean vertical force [N].
-    #[serde(rename = "vertical_N_interval")]
-    pub vertical_interval: Option<[f64; 2]>,
-    /// Interval of the mean sinkage [m].
-    #[serde(rename = "sinkage_m_interval")]
-    pub sinkage_interval: Option<[f64; 2]>,
-    /// Interval of the mean turn ratio.
-    pub turn_ratio_interval: Option<[f64; 2]>,
 }
 
 impl Steady {
@@ -550,15 +510,15 @@ pub const FORCES: &[Column<BodySample>] = &[
     )
     .required()
     .figure("sinkage", "sinkage", "z", "steady mean", |s| &mut s.sinkage)
-    .interval(Scale::Depth, Some(|s| &mut s.sinkage_interval)),
+    .interval(Scale::Depth),
     sampled::<BodySample>("drag F_H", "N", "horizontal force against the tow", |s| &mut s.drag)
         .required()
         .figure("drag", "drag", "F_H", "steady mean", |s| &mut s.drag)
-        .interval(Scale::Drag, Some(|s| &mut s.drag_interval)),
+        .interval(Scale::Drag),
     sampled::<BodySample>("vertical F_V", "N", "vertical force, positive upwards", |s| &mut s.vertical)
         .required()
         .figure("vertical", "vertical force", "F_V", "steady mean, up positive", |s| &mut s.vertical)
-        .interval(Scale::Force, Some(|s| &mut s.vertical_interval)),
+        .interval(Scale::Force),
     sampled::<BodySample>(
         "lateral",
         "N",
@@ -567,7 +527,7 @@ pub const FORCES: &[Column<BodySample>] = &[
     )
     .required()
     .figure("lateral", "lateral force", "", "steady mean, to the left positive", |s| &mut s.lateral)
-    .interval(Scale::Force, None),
+    .interval(Scale::Force),
     sampled::<BodySample>(
         "axle torque",
         "N m",
@@ -591,7 +551,7 @@ pub const FORCES: &[Column<BodySample>] = &[
         BodySample::turn_ratio,
     )
     .figure("turn_ratio", "turn ratio", "ω r / v", "1 rolls, 0 slides", |s| &mut s.turn_ratio)
-    .interval(Scale::One, Some(|s| &mut s.turn_ratio_interval)),
+    .interval(Scale::One),
     sampled("normal drag", "N", "drag due to the pressure normal to the surface", |s| &mut s.drag_normal),
     derived("friction drag", "N", "drag due to friction", |s, _| Some(s.drag - s.drag_normal)),
     sampled("normal vertical", "N", "vertical force due to the pressure normal to the surface", |s| {

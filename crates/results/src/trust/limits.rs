@@ -367,7 +367,7 @@ pub const VERTICAL_CELLS: Limit = Limit {
     more_is_better: true,
     meaning: "sinkage over the cell height, of a towed body that is held or moved vertically, where its vertical force is more than 0.3 of the whole",
     reason: "a rounded disc held 0.22 m deep in dense sand bears 2.14, 2.57 and 2.41 kN on 4.8, 7.1 and 10.7 cells (drag 2.46, 2.69 and 2.56 kN); of fourteen good random cases on cells of two thirds the size no drag moved by more than 10 %, but vertical forces of held bodies by −22 to +20 % in three",
-    advice: "make grid.cell smaller, or run --meshes for an interval of the vertical force; the drag is not concerned",
+    advice: "make grid.cell smaller, or run --meshes 4 for an interval of the vertical force; the drag is not concerned",
 };
 
 /// Resolution of the width.
@@ -490,54 +490,6 @@ pub const STEP_SIZE: Limit = Limit {
     advice: "leave numerics.courant at its default, 0.5",
 };
 
-/// Interval of the drag from a mesh study.
-pub const DRAG_INTERVAL: Limit = Limit {
-    name: "interval of the drag",
-    unit: "%",
-    good: 5.0,
-    doubtful: NEVER,
-    more_is_better: false,
-    meaning: "half-width of the interval of the mean drag (mesh and statistics) over its value; only with `--meshes`, of a body that is towed",
-    reason: "5 % is the accuracy required of forces",
-    advice: "make grid.cell smaller, or tow farther where the statistical part is the larger one",
-};
-
-/// Interval of the vertical force from a mesh study.
-pub const VERTICAL_INTERVAL: Limit = Limit {
-    name: "interval of the vertical force",
-    unit: "%",
-    good: 5.0,
-    doubtful: NEVER,
-    more_is_better: false,
-    meaning: "as for the drag; only of a body that is not free to move vertically",
-    reason: "as for the drag",
-    advice: "make grid.cell smaller, or run longer where the statistical part is the larger one",
-};
-
-/// Interval of the sinkage from a mesh study.
-pub const SINKAGE_INTERVAL: Limit = Limit {
-    name: "interval of the sinkage",
-    unit: "%",
-    good: 8.0,
-    doubtful: NEVER,
-    more_is_better: false,
-    meaning: "as for the drag; only of a body that is free to move vertically",
-    reason: "chosen: 8 % of a sinkage over nine cells is less than one cell, by which a free surface is uncertain; a force is an average over the contact and converges faster",
-    advice: "make grid.cell smaller: sinkage converges more slowly than forces",
-};
-
-/// Grades of the coarser meshes of a mesh study.
-pub const COARSER_MESHES: Limit = Limit {
-    name: "broken coarser meshes",
-    unit: "",
-    good: 0.0,
-    doubtful: 0.0,
-    more_is_better: false,
-    meaning: "number of coarser meshes whose run is broken; only with `--meshes`",
-    reason: "a result that cells half as wide again spoil has no mesh study; that a coarser run is doubtful does not count, since the intervals show what its coarseness does",
-    advice: "make grid.cell smaller, so that the coarser meshes can be used too; or run the case's own mesh alone, without --meshes",
-};
-
 /// Contribution of the mesh to an interval.
 pub const EFFECT_OF_MESH: Limit = Limit {
     name: "effect of the mesh",
@@ -545,7 +497,7 @@ pub const EFFECT_OF_MESH: Limit = Limit {
     good: 10.0,
     doubtful: NEVER,
     more_is_better: false,
-    meaning: "largest contribution of the mesh to an interval of the body, over the value; only with `--confidence`, as are the next six",
+    meaning: "largest contribution of the mesh to an interval of the body, over the value; only with `--confidence` or `--meshes`, as are the next six",
     reason: "chosen: a grid-convergence index of 10 % is common for forces of contact on eight to sixteen cells, and the safety factor in it is 1.25 at least",
     advice: "make grid.cell smaller",
 };
@@ -623,7 +575,7 @@ pub const MISSING_VARIATIONS: Limit = Limit {
 };
 
 /// Every limit, in the order of the checks.
-pub const ALL: [&Limit; 48] = [
+pub const ALL: [&Limit; 44] = [
     &COMPLETED,
     &ENERGY_BALANCE,
     &HOURGLASS,
@@ -661,10 +613,6 @@ pub const ALL: [&Limit; 48] = [
     &PUMPED,
     &UNUSUAL,
     &STEP_SIZE,
-    &DRAG_INTERVAL,
-    &VERTICAL_INTERVAL,
-    &SINKAGE_INTERVAL,
-    &COARSER_MESHES,
     &EFFECT_OF_MESH,
     &EFFECT_OF_DOMAIN,
     &EFFECT_OF_SPEED,
@@ -673,9 +621,6 @@ pub const ALL: [&Limit; 48] = [
     &LEVEL_FORCE,
     &MISSING_VARIATIONS,
 ];
-
-/// The limits of a mesh study, which come after those of a run.
-pub const OF_MESHES: [&Limit; 4] = [&DRAG_INTERVAL, &VERTICAL_INTERVAL, &SINKAGE_INTERVAL, &COARSER_MESHES];
 
 /// The limits of the variations of a case, which come after all others.
 pub const OF_CONFIDENCE: [&Limit; 7] = [

@@ -74,12 +74,8 @@ impl Trust {
         Self { verdict, checks }
     }
 
-    /// Puts the checks of a mesh study in place of those of an earlier one, and grades the run anew.
-    pub fn set_mesh_checks(&mut self, checks: Vec<Check>) {
-        self.replace(&limits::OF_MESHES, checks);
-    }
-
-    /// The same with the checks of the variations of the case.
+    /// Puts the checks of the variations of the case in place of those of earlier ones, and grades the run
+    /// anew.
     pub fn set_confidence_checks(&mut self, checks: Vec<Check>) {
         self.replace(&limits::OF_CONFIDENCE, checks);
     }

@@ -8,6 +8,6 @@ mod source;
 mod speed;
 
 pub use domain::FARTHER;
-pub use plan::{LeftOut, Variation, VariationPlan, variations};
+pub use plan::{Asked, LeftOut, MESHES, Variation, VariationPlan, in_place_of, on_step, variations};
 pub use source::ErrorSource;
 pub use speed::LONGER;
