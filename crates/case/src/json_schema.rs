@@ -2,7 +2,7 @@
 //! case files.
 
 use super::format::FORMAT;
-use super::keys::words::{DENSITIES, WALLS};
+use super::key::words::{DENSITIES, WALLS};
 use super::keys::{self, AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind, SHAPE_KEYS};
 use input::quantity::{Measure, TURN_RATE};
 use serde_json::{Map, Value, json};

@@ -1,7 +1,7 @@
 //! Parameters of the closed-form models: what was measured of a soil.
 
-use crate::keys::allowed::{BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
-use crate::keys::words::{FACTORS, PUBLISHED_SOILS};
+use crate::key::allowed::{BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
+use crate::key::words::{FACTORS, PUBLISHED_SOILS};
 use DefaultValue::{Number, Otherwise, Quantity, Word};
 use analytic::wheel::{CMU_SAND, TERRAINS, Terrain};
 use input::key::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read, required};

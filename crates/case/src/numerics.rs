@@ -1,7 +1,7 @@
 //! Parameters of the method.
 
-use crate::keys::allowed::{FRACTION, NOT_NEGATIVE, POSITIVE_FRACTION, SPACING, THREADS};
-use crate::keys::words::{CONTACTS, PRECISIONS};
+use crate::key::allowed::{FRACTION, NOT_NEGATIVE, POSITIVE_FRACTION, SPACING, THREADS};
+use crate::key::words::{CONTACTS, PRECISIONS};
 use DefaultValue::{ByLaw, Number, Word};
 use input::key::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
 use input::problem::Problems;

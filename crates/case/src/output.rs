@@ -1,6 +1,6 @@
 //! What to write, and how often.
 
-use crate::keys::allowed::{POSITIVE, POSITIVE_FRACTION};
+use crate::key::allowed::{POSITIVE, POSITIVE_FRACTION};
 use DefaultValue::{DurationOver, Number, Quantity};
 use input::key::{DefaultValue, Key, KeyOf, Kind, Place, declared, numbers, read};
 use input::problem::Problems;

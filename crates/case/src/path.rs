@@ -1,7 +1,9 @@
 //! Where prescribed motions take the bodies.
 
-use super::resolved::{Body, Case, Follow, Motion};
+use super::body::Body;
 use glam::DVec3;
+use mechanics::Motion;
+use solver::model::Follow;
 
 /// A box with faces along the axes.
 #[derive(Clone, Copy, Debug)]
@@ -82,12 +84,7 @@ pub struct Paths<'a> {
     pub(super) duration: f64,
 }
 
-impl<'a> Paths<'a> {
-    /// Those of a case.
-    pub fn of(case: &'a Case) -> Self {
-        Self { bodies: &case.bodies, follow: case.grid.follow, duration: case.duration }
-    }
-
+impl Paths<'_> {
     /// The box that encloses a body on its whole path in the grid.
     pub(super) fn of_body(&self, body: &Body) -> Extent {
         let (own, grid) = (range(body, self.duration), self.of_grid());

@@ -1,7 +1,9 @@
 //! The relief of the ground in a case: a height map from a file, furrows, or both.
 
-use crate::keys::allowed::POSITIVE;
-use crate::keys::words::FURROWS as SECTIONS;
+use crate::height_map::height_map;
+use crate::key::allowed::POSITIVE;
+use crate::key::checked;
+use crate::key::words::FURROWS as SECTIONS;
 use DefaultValue::{Quantity, Word};
 use geometry::relief::{self, FurrowShape};
 use input::height_file::HeightFile;
@@ -104,6 +106,23 @@ impl Furrows {
 }
 
 impl Relief {
+    /// The relief of ground with these sections; `None` where one was given wrongly.
+    pub(crate) fn typed(
+        map: Option<&Section>,
+        furrows: Option<&Section>,
+        problems: &mut Problems,
+    ) -> Option<Self> {
+        let map = map.map(|section| height_map(section, problems));
+        let furrows = furrows.map(|section| Furrows::typed(section, problems));
+        let relief = Self {
+            map: map.map_or(Some(None), |map| map.map(Some))?,
+            furrows: furrows.map_or(Some(None), |furrows| furrows.map(Some))?,
+        };
+        checked(relief, problems, |relief, problems| {
+            relief.furrows.iter().for_each(|furrows| furrows.check(problems));
+        })
+    }
+
     /// Whether the ground is level.
     #[must_use]
     pub fn is_level(&self) -> bool {

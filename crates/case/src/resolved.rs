@@ -1,23 +1,28 @@
 //! What a case means: every default filled in, every number in SI units. It is plain data:
 //! [`super::validate`] says whether it can be simulated.
 
+pub use super::body::{Attitude, Body, MOTIONS, Part, Staged};
+use super::clearance::SoilConditions;
+pub use super::domain::{Domain, Wall};
+pub use super::grid::Grid;
+pub use super::ground::Ground;
 pub use super::joint::{GROUND, Joint, JointKind};
+pub use super::layer::Layer;
 pub use super::measured::{Factors, Measured, Plate, Plough};
 pub use super::numerics::{Contact, Numerics, Precision};
 pub use super::output::Output;
+use super::path::Paths;
 use super::relief::Relief;
-use super::rigid_body::pitched;
-pub use super::rigid_body::{Attitude, Body, MOTIONS, PLANE_STRAIN_WIDTH, Part, Staged};
-use super::shapes::Shape;
+pub use super::shapes::slab::PLANE_STRAIN_WIDTH;
 use super::slope::Slope;
 pub(crate) use super::soil::SOIL;
 pub use super::soil::{ClaySoftening, Law, MohrCoulomb, Potential, Sand, Soil, Tresca, VonMises};
+pub use super::soil_body::SoilBody;
 use super::stage;
 pub use super::stage::{Change, MotionTable, Stage, StageQuantity, Until};
 pub use super::water::Water;
 use glam::DVec3;
 pub use mechanics::Motion;
-use mechanics::Pose;
 use serde::Serialize;
 pub use solver::model::Follow;
 
@@ -139,169 +144,25 @@ impl Case {
     }
 }
 
-/// A layer of the ground below the uppermost soil.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Layer {
-    /// Name of the layer.
-    pub name: String,
-    /// Depth of its top below the surface [m].
-    pub top: f64,
-    /// Soil of the layer.
-    pub soil: Soil,
-}
-
-impl Layer {
-    /// Path of its section.
-    pub(crate) fn path(&self) -> String {
-        format!("layer.{}", self.name)
+impl<'a> Paths<'a> {
+    /// Those of a case.
+    pub fn of(case: &'a Case) -> Self {
+        Self { bodies: &case.bodies, follow: case.grid.follow, duration: case.duration }
     }
 }
 
-/// A body of soil of another kind.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SoilBody {
-    /// Name of the soil body.
-    pub name: String,
-    /// Shape of the soil body.
-    pub shape: Shape,
-    /// Reference point of the soil body [m].
-    pub position: DVec3,
-    /// Attitude of the soil body.
-    pub attitude: Attitude,
-    /// Soil of the soil body.
-    pub soil: Soil,
-}
-
-impl SoilBody {
-    /// Path of its section.
-    pub(crate) fn path(&self) -> String {
-        format!("soil_body.{}", self.name)
-    }
-
-    /// The solver's soil body, of this material.
-    pub(crate) fn solver_body(&self, material: usize) -> solver::model::SoilBody {
-        let solid = pitched(&self.shape, self.attitude.pitch);
-        let pose = Pose { position: self.position, rotation: self.attitude.of_axle() };
-        solver::model::SoilBody::new(solid.into(), &pose, material)
-    }
-}
-
-/// Where there is soil at the start.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Ground {
-    /// The half space below z = `surface` [m].
-    Level {
-        /// Height of the surface [m].
-        surface: f64,
-    },
-    /// Soil only in a box (a column that will collapse, a bank in front of a wall), or in the round column
-    /// inside it.
-    Column {
-        /// Low corner [m].
-        low: DVec3,
-        /// High corner [m].
-        high: DVec3,
-        /// Radius of the round column about the z axis [m].
-        radius: Option<f64>,
-    },
-}
-
-impl Ground {
-    /// Height of its level surface [m].
-    #[must_use]
-    pub fn surface(&self) -> f64 {
-        match *self {
-            Self::Level { surface } => surface,
-            Self::Column { high, .. } => high.z,
+impl SoilConditions {
+    /// The soil of a case.
+    pub(crate) fn of(case: &Case) -> Self {
+        Self {
+            law: case.soil.law,
+            surface: case.ground.surface(),
+            floor: case.domain.low.z,
+            velocity: case.velocity,
+            gravity: case.gravity,
+            plane_strain: case.domain.plane_strain,
+            confined: case.domain.high.z <= case.ground.surface(),
         }
-    }
-}
-
-/// Boundary condition at a face of the box.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Wall {
-    /// No motion through it, no friction along it. A symmetry plane is one.
-    Smooth,
-    /// No motion at all.
-    Fixed,
-    /// None: the ground beyond it bears what it bears at rest, soil leaves and ground enters.
-    Pressure,
-}
-
-/// The box that is modelled.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Domain {
-    /// Low corner [m].
-    pub low: DVec3,
-    /// High corner [m].
-    pub high: DVec3,
-    /// Walls by axis x, y, z: at the low end and at the high end.
-    pub walls: [[Wall; 2]; 3],
-    /// Whether y = 0 is a plane of symmetry and only y ≥ 0 is modelled. Forces are reported for the whole
-    /// body.
-    pub symmetric: bool,
-    /// Whether x = 0 is a plane of symmetry and only x ≥ 0 is modelled.
-    pub symmetric_x: bool,
-    /// Whether the case is plane strain: a slab one cell thick in y. Bodies, forces and weights are those of
-    /// a width of
-    /// [`PLANE_STRAIN_WIDTH`], whatever the thickness of the slab.
-    pub plane_strain: bool,
-}
-
-impl Domain {
-    /// Whether any boundary is at constant stress.
-    #[must_use]
-    pub fn yields(&self) -> bool {
-        self.walls.as_flattened().contains(&Wall::Pressure)
-    }
-
-    /// The boundary at the top.
-    #[must_use]
-    pub fn lid(&self) -> Wall {
-        self.walls[2][1]
-    }
-
-    /// Width of a body along y [m] that is itself so wide; in plane strain [`PLANE_STRAIN_WIDTH`].
-    #[must_use]
-    pub fn width_of_body(&self, own: f64) -> f64 {
-        if self.plane_strain { PLANE_STRAIN_WIDTH } else { own }
-    }
-
-    /// Portion of the width of each body that is modelled: in plane strain that of the slab, which may be
-    /// more than 1, otherwise 1.
-    #[must_use]
-    pub fn modelled_width(&self) -> f64 {
-        if self.plane_strain { (self.high.y - self.low.y) / PLANE_STRAIN_WIDTH } else { 1.0 }
-    }
-}
-
-/// Cell sizes: uniform inside the fine zone, growing geometrically outside it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Grid {
-    /// Cell size h in the fine zone [m]: the smallest width of its cells.
-    pub cell: f64,
-    /// Widths of the cells in the fine zone along x, y, z over `cell`; one of them is 1.
-    pub aspect: DVec3,
-    /// Low corner of the fine zone [m].
-    pub fine_low: DVec3,
-    /// High corner of the fine zone [m].
-    pub fine_high: DVec3,
-    /// Ratio of a cell's width to its inner neighbour's outside the fine zone (1 = uniform).
-    pub growth: f64,
-    /// The body that the grid follows, if it does not stand still; the box and the faces are then those at
-    /// the start.
-    pub follow: Option<Follow>,
-    /// Face positions along x, y, z that follow from the above [m].
-    pub faces: [Vec<f64>; 3],
-}
-
-impl Grid {
-    /// Widths along x, y, z of the cells in the fine zone [m].
-    #[must_use]
-    pub fn fine_cell(&self) -> DVec3 {
-        self.cell * self.aspect
     }
 }
 

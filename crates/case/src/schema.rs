@@ -4,8 +4,8 @@
 use super::form;
 use super::format;
 use super::keys::{self, KeyTable};
+use super::names::{number_of, part_name};
 use super::typed_case::Schema;
-use super::validate::names::{number_of, part_name};
 use super::values::value;
 use input::problem::Problems;
 use input::tree::{Entry, Value, join};

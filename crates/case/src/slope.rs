@@ -1,6 +1,12 @@
 //! Ground on a slope: the axes of the case lie in its surface, and gravity is tilted.
 
+use crate::key::allowed::SLOPE;
 use glam::DVec3;
+use input::key::DefaultValue::Quantity;
+use input::key::{Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
+use input::problem::Problems;
+use input::quantity::ANGLE;
+use input::typed::Section;
 use serde::Serialize;
 
 /// Slope of the ground.
@@ -12,7 +18,33 @@ pub struct Slope {
     pub across: f64,
 }
 
+/// Keys of a slope, and where their values lie.
+type Field = KeyOf<Slope>;
+
+const FIELDS: &[Field] = &[
+    Field::new("slope", Kind::Quantity(ANGLE), Place::Number(|slope| &mut slope.along))
+        .default(Quantity("0 deg"))
+        .within(SLOPE)
+        .means("Angle of the slope along x, uphill positive: x and y lie in the surface, z is normal to it, and gravity is tilted."),
+    Field::new("cross_slope", Kind::Quantity(ANGLE), Place::Number(|slope| &mut slope.across))
+        .default(Quantity("0 deg"))
+        .within(SLOPE)
+        .means("The same along y."),
+];
+
 impl Slope {
+    pub(crate) const KEYS: &[Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
+
+    /// The slope that the section of the ground says.
+    pub(crate) fn typed(ground: &Section, problems: &mut Problems) -> Option<Self> {
+        read(FIELDS, Self::default(), ground, problems)
+    }
+
+    /// Reports angles that are out of range.
+    pub(crate) fn check(&self, problems: &mut Problems) {
+        in_ranges("ground", &numbers(FIELDS, self), problems);
+    }
+
     /// Whether the ground is level.
     #[must_use]
     pub fn is_level(&self) -> bool {

@@ -1,9 +1,8 @@
 //! How thin the bodies of a case are in cells, where they are thinnest and soil may touch them.
 
-use super::cells_across::cells_across;
 use super::path::range;
 use super::resolved::{Body, Case};
-use super::shapes::Shape;
+use super::shapes::{FineCells, Shape, cells_across};
 use geometry::ThinSearch;
 use glam::{DMat3, DVec3};
 use mechanics::Motion;
@@ -30,10 +29,11 @@ pub(super) fn thin_places(case: &Case, body: &Body, fewer_than: f64) -> Vec<Thin
         (&part.name, &part.shape, rotation, frame * part.offset)
     });
     let cell = turning(body, case.grid.fine_cell());
+    let cells = FineCells { widths: cell, ..case.fine_cells() };
     let highest = highest_in_soil(case, body);
     let thinnest = |(name, shape, rotation, offset): (&String, &Shape, DMat3, DVec3)| {
         let Some(mesh) = shape.mesh() else {
-            return by_measures(name, shape, (cell, case.domain.plane_strain), fewer_than);
+            return by_measures(name, shape, cells, fewer_than);
         };
         let thin = shape.thinnest(&ThinSearch {
             cell: cell.max_element(),
@@ -81,8 +81,8 @@ fn highest_in_soil(case: &Case, body: &Body) -> f64 {
 }
 
 /// The thinnest of the lengths that describe a shape.
-fn by_measures(name: &str, shape: &Shape, grid: (DVec3, bool), fewer_than: f64) -> Option<ThinPlace> {
-    let sizes = cells_across(shape, grid).into_iter().filter(|(_, cells)| *cells < fewer_than);
+fn by_measures(name: &str, shape: &Shape, cells: FineCells, fewer_than: f64) -> Option<ThinPlace> {
+    let sizes = cells_across(shape, cells).into_iter().filter(|(_, cells)| *cells < fewer_than);
     let (size, cells) = sizes.min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(ThinPlace { path: format!("body.{name}.{}", size.key), cells, wall: None })
 }

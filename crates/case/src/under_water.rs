@@ -52,7 +52,7 @@ impl Case {
     #[must_use]
     pub fn fluid(&self, body: &Body) -> Fluid {
         let Some(water) = self.water else { return Fluid::NONE };
-        let (displaced, centre) = water.displaced(body, self.domain.plane_strain);
+        let (displaced, centre) = body.displaced(&water, self.domain.plane_strain);
         let area = of_width(body.solid().as_ref(), self.domain.plane_strain)
             * frontal_area(body, TowDirection::of(self, body).in_space(DVec3::X));
         Fluid { displaced, centre, drag: 0.5 * water.density * water.drag_coefficient * area }
@@ -61,7 +61,7 @@ impl Case {
     /// Weight of a whole body less its buoyancy [N].
     #[must_use]
     pub fn weight(&self, body: &Body) -> f64 {
-        let displaced = self.water.map_or(0.0, |water| water.displaced(body, self.domain.plane_strain).0);
+        let displaced = self.water.map_or(0.0, |water| body.displaced(&water, self.domain.plane_strain).0);
         self.gravity * (body.whole_mass() - displaced)
     }
 

@@ -2,9 +2,8 @@
 //! it.
 
 use super::format;
-use super::keys::words::{DENSITIES, ORIGINS, WALLS};
-use super::keys::{DefaultValue, FOLLOW, Key, Kind, MOTION, UNTIL};
-use super::numbers::{in_range, in_range_or_infinite};
+use super::key::words::{DENSITIES, ORIGINS, WALLS};
+use super::keys::{self, DefaultValue, FOLLOW, Key, Kind, MOTION, UNTIL};
 use input::names::nearest;
 use input::problem::Problems;
 use input::quantity::{self, Measure, TIME};
@@ -72,14 +71,20 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
 /// Whether every number is in the range of its key.
 fn fits(given: &Given, path: &str, problems: &mut Problems) -> bool {
     match given {
-        // Only `rough` was read as an infinite number.
-        Given::Number(number) => in_range_or_infinite(path, *number, problems),
+        Given::Number(number) => in_range(path, *number, problems),
         Given::List(numbers) => {
             let outside = |(n, number): (usize, &f64)| !in_range(&format!("{path}[{n}]"), *number, problems);
             numbers.iter().enumerate().map(outside).filter(|is_outside| *is_outside).count() == 0
         }
         _ => true,
     }
+}
+
+/// Whether a number that was read, finite or that of `rough`, is in the range of its key; reported if not.
+fn in_range(path: &str, number: f64, problems: &mut Problems) -> bool {
+    let refusing = keys::at(path).filter(|key| key.range.is_some_and(|range| !range.contains(number)));
+    refusing.iter().for_each(|key| key.refuse(path, number, problems));
+    refusing.is_none()
 }
 
 fn complain<T>(message: impl Into<String>, cure: impl Into<String>) -> Read<T> {

@@ -1,8 +1,8 @@
 //! Water over the ground: its properties, and what soil and bodies weigh in it.
 
-use super::rigid_body::{Body, PLANE_STRAIN_WIDTH};
-use crate::keys::allowed::{NOT_NEGATIVE, POSITIVE, VOLUME_STRAIN};
-use crate::keys::usual::{GRAIN_DENSITY, PERMEABILITY, WATER_DENSITY};
+use super::shapes::slab::PLANE_STRAIN_WIDTH;
+use crate::key::allowed::{NOT_NEGATIVE, POSITIVE, VOLUME_STRAIN};
+use crate::key::usual::{GRAIN_DENSITY, PERMEABILITY, WATER_DENSITY};
 use DefaultValue::{Flag, Number, Quantity};
 use geometry::Shape as Solid;
 use glam::DVec3;
@@ -138,21 +138,6 @@ impl Water {
         }
         let properties = solid.mass_properties();
         (self.density * of_width(solid, plane_strain) * properties.volume, properties.centroid)
-    }
-
-    /// Mass of the water that a body with its parts displaces [kg], and the centre of its volume from the
-    /// reference point [m].
-    #[must_use]
-    pub(crate) fn displaced(&self, body: &Body, plane_strain: bool) -> (f64, DVec3) {
-        let parts = body.parts.iter().map(|part| {
-            let (mass, centre) = self.displaced_by(part.solid().as_ref(), plane_strain);
-            (mass, part.offset + part.rotation * centre)
-        });
-        let own = std::iter::once(self.displaced_by(body.own_solid().as_ref(), plane_strain));
-        let (mass, moment) = own
-            .chain(parts)
-            .fold((0.0, DVec3::ZERO), |(sum, moment), (mass, centre)| (sum + mass, moment + mass * centre));
-        (mass, if mass > 0.0 { moment / mass } else { DVec3::ZERO })
     }
 
     /// Unit weight γ_w [N/m³] under gravity [m/s²].

@@ -1,8 +1,8 @@
 //! Whether a motion is slow enough: what inertia and bulk viscosity add to the force.
 
 use super::passive::passive_coefficient;
+use crate::clearance::{SoilConditions, deepest};
 use crate::path::{body_length, fastest};
-use crate::resolve::clearance::{SoilConditions, deepest};
 use crate::resolved::{Body, Case};
 use crate::tow::TowDirection;
 use physics::elastic::Elastic;

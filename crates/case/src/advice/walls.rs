@@ -1,8 +1,8 @@
 //! Whether there is enough space for the soil that a body displaces: below the lid, and in front of the
 //! walls.
 
+use crate::clearance::{SoilConditions, clearance};
 use crate::path::{Paths, body_length};
-use crate::resolve::clearance::{SoilConditions, clearance};
 use crate::resolved::{Body, Case};
 
 /// Distance to a wall, in body lengths, below which it is mentioned; chosen: soil fails over some three

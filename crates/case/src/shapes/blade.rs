@@ -1,12 +1,14 @@
 //! The blade: an upright plate, square or sharpened at its lower end.
 
 use super::bevel::{self, Sides};
+use super::keys::{KEYS, field};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Conflict, Size};
-use super::widths;
-use crate::missing::required;
+use super::widths::{self, WIDE};
+use crate::key::required;
 use geometry::{self, Bevel, Extruded, Profile};
 use glam::DVec3;
+use input::key::{KeyOf, Place};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -32,13 +34,22 @@ pub struct CuttingEdge {
 }
 
 impl Blade {
-    pub(super) const KEYS: &[&str] =
-        &["width", "height", "thickness", "bevel_angle", "bevel", "edge_thickness"];
+    pub(super) const FIELDS: &[KeyOf<Self>] = &[
+        field("thickness", Place::Number(|blade| &mut blade.size.x)),
+        field("width", Place::Number(|blade| &mut blade.size.y)),
+        field("height", Place::Number(|blade| &mut blade.size.z)),
+        field("bevel_angle", Place::Part(|blade| blade.cutting_edge.as_mut().map(|edge| &mut edge.angle))),
+        field(
+            "edge_thickness",
+            Place::Part(|blade| blade.cutting_edge.as_mut().map(|edge| &mut edge.thickness)),
+        ),
+        field("bevel", Place::Elsewhere),
+    ];
 
     /// In plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        let width = widths::across(section, slab, problems);
-        let [height, thickness] = ["height", "thickness"].map(|key| required(section, key, problems));
+        let width = widths::across(section, "width", WIDE, slab, problems);
+        let [height, thickness] = ["height", "thickness"].map(|key| required(KEYS, section, key, problems));
         let is_sharp = section.has("bevel_angle");
         for key in ["bevel", "edge_thickness"].into_iter().filter(|key| section.has(key) && !is_sharp) {
             let message = format!("`{key}` applies to a blade with a bevel only");
@@ -73,11 +84,6 @@ impl CaseShape for Blade {
     fn sizes(&self) -> Vec<Size> {
         let keys = ["thickness", "width", "height"];
         (0..3).map(|axis| Size::along(keys[axis], self.size[axis], axis)).collect()
-    }
-
-    fn other_numbers(&self) -> Vec<(&'static str, f64)> {
-        let of_edge = |edge: CuttingEdge| [("bevel_angle", edge.angle), ("edge_thickness", edge.thickness)];
-        self.cutting_edge.map(of_edge).into_iter().flatten().collect()
     }
 
     fn conflict(&self) -> Option<Conflict> {

@@ -1,9 +1,11 @@
 //! The block.
 
+use super::keys::{KEYS, field};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Size};
-use crate::missing::missing;
+use crate::key::missing;
 use glam::DVec3;
+use input::key::{KeyOf, Place};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -16,13 +18,15 @@ pub struct Block {
 }
 
 impl Block {
-    pub(super) const KEYS: &[&str] = &["size"];
+    pub(super) const FIELDS: &[KeyOf<Self>] = &[
+        field("size", Place::Number(|block| &mut block.size.x)),
+        field("size", Place::Number(|block| &mut block.size.y)),
+        field("size", Place::Number(|block| &mut block.size.z)),
+    ];
 
     /// In plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        if !section.has("size") {
-            missing(section, "size", problems);
-        }
+        missing(KEYS, section, "size", problems);
         let edges = section.list("size")?;
         let size = match (edges.as_slice(), slab) {
             (&[x, z], Some(slab)) => DVec3::new(x, slab.covering_width(), z),

@@ -1,9 +1,11 @@
 //! The cone on a shaft, tip down: a penetrometer.
 
+use super::keys::{KEYS, field};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Conflict, Size};
-use crate::missing::required;
+use crate::key::required;
 use geometry::{self, Axis, Profile, Revolved};
+use input::key::{KeyOf, Place};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -22,11 +24,16 @@ pub struct Cone {
 }
 
 impl Cone {
-    pub(super) const KEYS: &[&str] = &["diameter", "cone_angle", "shaft_diameter", "length"];
+    pub(super) const FIELDS: &[KeyOf<Self>] = &[
+        field("diameter", Place::Number(|cone| &mut cone.diameter)),
+        field("shaft_diameter", Place::Number(|cone| &mut cone.shaft)),
+        field("length", Place::Number(|cone| &mut cone.length)),
+        field("cone_angle", Place::Number(|cone| &mut cone.apex)),
+    ];
 
     pub(super) fn read(section: &Section, _slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         let [diameter, apex, length] =
-            ["diameter", "cone_angle", "length"].map(|key| required(section, key, problems));
+            ["diameter", "cone_angle", "length"].map(|key| required(KEYS, section, key, problems));
         let shaft = section.number_or("shaft_diameter", diameter?);
         Some(Self { diameter: diameter?, apex: apex?, shaft: shaft?, length: length? })
     }
@@ -52,10 +59,6 @@ impl CaseShape for Cone {
             Size::across("shaft_diameter", self.shaft),
             Size::along("length", self.length, 2),
         ]
-    }
-
-    fn other_numbers(&self) -> Vec<(&'static str, f64)> {
-        vec![("cone_angle", self.apex)]
     }
 
     fn conflict(&self) -> Option<Conflict> {

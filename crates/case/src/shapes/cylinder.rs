@@ -1,9 +1,12 @@
 //! The cylinder.
 
+use super::keys::{KEYS, field};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Conflict, Size};
-use crate::missing::{missing, required};
+use super::widths;
+use crate::key::{missing, required};
 use geometry::{self, Axis};
+use input::key::{KeyOf, Place};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -20,23 +23,18 @@ pub struct Cylinder {
 }
 
 impl Cylinder {
-    pub(super) const KEYS: &[&str] = &["diameter", "length", "axis"];
+    pub(super) const FIELDS: &[KeyOf<Self>] = &[
+        field("diameter", Place::Number(|cylinder| &mut cylinder.diameter)),
+        field("length", Place::Number(|cylinder| &mut cylinder.length)),
+        field("axis", Place::Elsewhere),
+    ];
 
     /// In plane strain it lies across the slab and is as long as the slab is wide.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        let diameter = required(section, "diameter", problems);
-        if !section.has("axis") {
-            missing(section, "axis", problems);
-        }
-        let length = match slab {
-            None => required(section, "length", problems),
-            Some(slab) if !section.has("length") => Some(slab.covering_width()),
-            Some(_) => {
-                let message = "in plane strain a cylinder is as long as the slab is wide";
-                problems.add(section.at("length"), message, "remove `length`");
-                None
-            }
-        };
+        let diameter = required(KEYS, section, "diameter", problems);
+        missing(KEYS, section, "axis", problems);
+        let length =
+            widths::across(section, "length", "a cylinder is as long as the slab is wide", slab, problems);
         let axis = match section.text("axis")?.as_str() {
             "x" => Axis::X,
             "y" => Axis::Y,

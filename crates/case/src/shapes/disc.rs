@@ -1,10 +1,13 @@
 //! The disc: flat or dished, with any rim.
 
 use super::bevel::{self, Sides};
+use super::keys::{KEYS, field};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Conflict, Size};
-use crate::missing::required;
+use super::widths;
+use crate::key::{part, required};
 use geometry::{self, Axis, Bevel, DiscRim, Dish, Profile, Revolved};
+use input::key::{KeyOf, Place};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -23,30 +26,23 @@ pub struct Disc {
 }
 
 impl Disc {
-    pub(super) const KEYS: &[&str] = &[
-        "diameter",
-        "thickness",
-        "rim",
-        "rim_radius",
-        "bevel_angle",
-        "bevel",
-        "edge_thickness",
-        "concavity",
-        "hollow",
+    pub(super) const FIELDS: &[KeyOf<Self>] = &[
+        field("diameter", Place::Number(|disc| &mut disc.diameter)),
+        field("thickness", Place::Number(|disc| &mut disc.thickness)),
+        field("rim", Place::Elsewhere),
+        field("rim_radius", part!(rim, DiscRim::Rounded, radius)),
+        field("bevel_angle", part!(rim, DiscRim::Bevelled, angle)),
+        field("edge_thickness", part!(rim, DiscRim::Bevelled, edge)),
+        field("bevel", Place::Elsewhere),
+        field("concavity", Place::Part(|disc| disc.dish.as_mut().map(|dish| &mut dish.depth))),
+        field("hollow", Place::Elsewhere),
     ];
 
     /// In plane strain it is as thick as the slab is wide.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        let diameter = required(section, "diameter", problems);
-        let thickness = match slab {
-            None => required(section, "thickness", problems),
-            Some(slab) if !section.has("thickness") => Some(slab.covering_width()),
-            Some(_) => {
-                let message = "in plane strain a disc is as thick as the slab is wide";
-                problems.add(section.at("thickness"), message, "remove `thickness`");
-                None
-            }
-        };
+        let diameter = required(KEYS, section, "diameter", problems);
+        let thickness =
+            widths::across(section, "thickness", "a disc is as thick as the slab is wide", slab, problems);
         let rim = rim(section, thickness, problems);
         if section.has("hollow") && !section.has("concavity") {
             let message = "`hollow` applies to a dished disc only";
@@ -91,7 +87,7 @@ fn rim(section: &Section, thickness: Option<f64>, problems: &mut Problems) -> Op
             Some(DiscRim::Rounded { radius })
         }
         "bevelled" => {
-            let angle = required(section, "bevel_angle", problems);
+            let angle = required(KEYS, section, "bevel_angle", problems);
             let sides = Sides { low: "right", high: "left", usual: Bevel::Both };
             let bevel = bevel::read(section, &sides, problems);
             Some(DiscRim::Bevelled { angle: angle?, edge: section.number("edge_thickness")?, bevel: bevel? })
@@ -111,16 +107,6 @@ impl CaseShape for Disc {
 
     fn sizes(&self) -> Vec<Size> {
         vec![Size::across("diameter", self.diameter), Size::along("thickness", self.thickness, 1)]
-    }
-
-    fn other_numbers(&self) -> Vec<(&'static str, f64)> {
-        let mut numbers = match self.rim {
-            DiscRim::Square => Vec::new(),
-            DiscRim::Rounded { radius } => vec![("rim_radius", radius)],
-            DiscRim::Bevelled { angle, edge, .. } => vec![("bevel_angle", angle), ("edge_thickness", edge)],
-        };
-        numbers.extend(self.dish.map(|dish| ("concavity", dish.depth)));
-        numbers
     }
 
     fn conflict(&self) -> Option<Conflict> {

@@ -2,6 +2,7 @@
 
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Size};
+use input::key::KeyOf;
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -12,7 +13,7 @@ use serde::Serialize;
 pub struct Frame {}
 
 impl Frame {
-    pub(super) const KEYS: &[&str] = &[];
+    pub(super) const FIELDS: &[KeyOf<Self>] = &[];
 
     pub(super) fn read(_section: &Section, _slab: Option<Slab>, _problems: &mut Problems) -> Option<Self> {
         Some(Self {})

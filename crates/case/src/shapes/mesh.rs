@@ -1,10 +1,12 @@
 //! A body from the file of its surface.
 
+use super::keys::{KEYS, field};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Conflict, Size};
-use crate::missing::missing;
+use crate::key::missing;
 use geometry::{self, Thin, ThinSearch};
 use glam::DVec3;
+use input::key::{KeyOf, Place};
 use input::mesh_file::{self, MeshFile, MeshFileProblem, MeshReport};
 use input::problem::Problems;
 use input::quantity::{self, LENGTH};
@@ -44,7 +46,8 @@ impl PartialEq for MeshBody {
 }
 
 impl MeshBody {
-    pub(super) const KEYS: &[&str] = &["file", "unit"];
+    pub(super) const FIELDS: &[KeyOf<Self>] =
+        &[field("file", Place::Elsewhere), field("unit", Place::Elsewhere)];
 
     /// The solid in a file in a folder, whose unit of length is written like that of a length: `mm`. Without
     /// one it is that which the file states.
@@ -71,9 +74,7 @@ impl MeshBody {
     }
 
     pub(super) fn read(section: &Section, _slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        if !section.has("file") {
-            missing(section, "file", problems);
-        }
+        missing(KEYS, section, "file", problems);
         let file = section.text("file")?;
         let unit = if section.has("unit") { Some(section.text("unit")?) } else { None };
         Self::load(&section.folder, &file, unit.as_deref())

@@ -4,10 +4,12 @@
 mod bevel;
 mod blade;
 mod block;
+mod cells_across;
 mod cone;
 mod cylinder;
 mod disc;
 mod frame;
+mod keys;
 mod mesh;
 pub(super) mod slab;
 mod sphere;
@@ -18,16 +20,20 @@ mod widths;
 
 pub use blade::{Blade, CuttingEdge};
 pub use block::Block;
+pub(crate) use cells_across::{FineCells, cells_across};
 pub use cone::Cone;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use frame::Frame;
+pub(crate) use keys::KEYS;
 pub use mesh::MeshBody;
 pub use sphere::Sphere;
 pub use traits::{CaseShape, ClosedForm, Conflict, Size};
 pub use wedge::Wedge;
 pub use wheel::Wheel;
 
+use crate::key::missing;
+use input::key::{Numbers, numbers};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -41,8 +47,10 @@ macro_rules! shapes {
             $(#[doc = $about] #[serde(rename = $word)] $name($name),)*
         }
 
-        /// Keys that describe a shape, for each.
-        const KEYS: &[(&str, &[&str])] = &[$(($word, $name::KEYS)),*];
+        /// Words of the shapes, each with the names of its keys.
+        fn names() -> Vec<(&'static str, Vec<&'static str>)> {
+            vec![$(($word, $name::FIELDS.iter().map(|field| field.key.name).collect())),*]
+        }
 
         impl Shape {
             /// Word of the shape in a case file.
@@ -51,6 +59,15 @@ macro_rules! shapes {
                 match self {
                     $(Self::$name(_) => $word,)*
                 }
+            }
+
+            /// The numbers that describe it, each with its key.
+            #[must_use]
+            pub fn numbers(&self) -> Numbers {
+                let placed = match self {
+                    $(Self::$name(shape) => numbers($name::FIELDS, shape),)*
+                };
+                placed.into_iter().chain(self.other_numbers()).collect()
             }
 
             fn read(word: &str, section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
@@ -103,9 +120,11 @@ shapes! {
 
 /// The shape that a section asks for; `slab` is that of a plane strain case.
 pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Shape> {
+    missing(KEYS, section, "shape", problems);
     let kind = section.text("shape")?;
-    let allowed = KEYS.iter().find(|(word, _)| *word == kind).map_or(&[][..], |(_, keys)| keys);
-    let measures = KEYS.iter().flat_map(|(_, keys)| keys.iter().copied());
+    let names = names();
+    let allowed = names.iter().find(|(word, _)| *word == kind).map_or(&[][..], |(_, keys)| keys);
+    let measures = names.iter().flat_map(|(_, keys)| keys.iter().copied());
     // Several shapes have a diameter.
     let mut refused = Vec::new();
     for key in measures.filter(|key| section.has(key) && !allowed.contains(key)) {
@@ -121,11 +140,11 @@ pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problem
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::keys::words::SHAPES;
+    use crate::key::words::SHAPES;
 
     #[test]
     fn every_word_is_a_shape() {
-        let words: Vec<&str> = KEYS.iter().map(|(word, _)| *word).collect();
+        let words: Vec<&str> = names().iter().map(|(word, _)| *word).collect();
         assert_eq!(words, SHAPES);
     }
 }

@@ -1,5 +1,9 @@
 //! The slab of a plane strain case, which the width of a body follows.
 
+/// Width of a body in plane strain [m]: its weight, load, mass and drive, forces on it and energies are those
+/// per metre of width.
+pub const PLANE_STRAIN_WIDTH: f64 = 1.0;
+
 /// The slab of a plane strain case.
 #[derive(Clone, Copy)]
 pub(crate) struct Slab {

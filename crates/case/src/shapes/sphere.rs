@@ -1,8 +1,10 @@
 //! The sphere.
 
+use super::keys::{KEYS, field};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Conflict, Size};
-use crate::missing::required;
+use crate::key::required;
+use input::key::{KeyOf, Place};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -15,10 +17,11 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    pub(super) const KEYS: &[&str] = &["diameter"];
+    pub(super) const FIELDS: &[KeyOf<Self>] =
+        &[field("diameter", Place::Number(|sphere| &mut sphere.diameter))];
 
     pub(super) fn read(section: &Section, _slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        Some(Self { diameter: required(section, "diameter", problems)? })
+        Some(Self { diameter: required(KEYS, section, "diameter", problems)? })
     }
 }
 

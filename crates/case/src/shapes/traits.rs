@@ -2,6 +2,7 @@
 
 use geometry::{self, Thin, ThinSearch};
 use glam::DVec3;
+use input::key::Numbers;
 use input::mesh_file::MeshReport;
 
 /// What the program asks of a shape. The body frame is that of [`geometry::Shape`].
@@ -10,8 +11,8 @@ pub trait CaseShape {
     fn solid(&self) -> Box<dyn geometry::Shape>;
     /// Every length that describes it.
     fn sizes(&self) -> Vec<Size>;
-    /// Every other number that describes it, with its key.
-    fn other_numbers(&self) -> Vec<(&'static str, f64)> {
+    /// Numbers that describe it and do not lie in a place, each with its key.
+    fn other_numbers(&self) -> Numbers {
         Vec::new()
     }
     /// Why its numbers, each in the range of its key, exclude each other, if they do.

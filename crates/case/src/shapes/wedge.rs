@@ -1,11 +1,13 @@
 //! The wedge: a triangular prism, such as a share.
 
+use super::keys::{KEYS, field};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Size};
-use super::widths;
-use crate::missing::required;
+use super::widths::{self, WIDE};
+use crate::key::required;
 use geometry::{self, Extruded};
 use glam::DVec3;
+use input::key::{KeyOf, Place};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -18,12 +20,16 @@ pub struct Wedge {
 }
 
 impl Wedge {
-    pub(super) const KEYS: &[&str] = &["length", "width", "height"];
+    pub(super) const FIELDS: &[KeyOf<Self>] = &[
+        field("length", Place::Number(|wedge| &mut wedge.size.x)),
+        field("width", Place::Number(|wedge| &mut wedge.size.y)),
+        field("height", Place::Number(|wedge| &mut wedge.size.z)),
+    ];
 
     /// In plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        let width = widths::across(section, slab, problems);
-        let [length, height] = ["length", "height"].map(|key| required(section, key, problems));
+        let width = widths::across(section, "width", WIDE, slab, problems);
+        let [length, height] = ["length", "height"].map(|key| required(KEYS, section, key, problems));
         Some(Self { size: DVec3::new(length?, width?, height?) })
     }
 }

@@ -1,9 +1,12 @@
 //! The wheel with grousers.
 
+use super::keys::{KEYS, field, named};
 use super::slab::Slab;
 use super::traits::{CaseShape, ClosedForm, Conflict, Size};
-use crate::missing::required;
+use super::widths;
+use crate::key::required;
 use geometry::{self, Extruded, Grousers, Profile};
+use input::key::{KeyOf, Numbers, Place};
 use input::problem::Problems;
 use input::typed::Section;
 use serde::Serialize;
@@ -20,23 +23,21 @@ pub struct Wheel {
 }
 
 impl Wheel {
-    pub(super) const KEYS: &[&str] =
-        &["diameter", "thickness", "grousers", "grouser_height", "grouser_thickness"];
+    pub(super) const FIELDS: &[KeyOf<Self>] = &[
+        field("diameter", Place::Number(|wheel| &mut wheel.diameter)),
+        field("thickness", Place::Number(|wheel| &mut wheel.thickness)),
+        field("grouser_height", Place::Number(|wheel| &mut wheel.grousers.height)),
+        field("grouser_thickness", Place::Number(|wheel| &mut wheel.grousers.thickness)),
+        field("grousers", Place::Elsewhere),
+    ];
 
     /// In plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        let diameter = required(section, "diameter", problems);
-        let thickness = match slab {
-            None => required(section, "thickness", problems),
-            Some(slab) if !section.has("thickness") => Some(slab.covering_width()),
-            Some(_) => {
-                let message = "in plane strain a wheel is as thick as the slab is wide";
-                problems.add(section.at("thickness"), message, "remove `thickness`");
-                None
-            }
-        };
-        let [number, height, bar] =
-            ["grousers", "grouser_height", "grouser_thickness"].map(|key| required(section, key, problems));
+        let diameter = required(KEYS, section, "diameter", problems);
+        let thickness =
+            widths::across(section, "thickness", "a wheel is as thick as the slab is wide", slab, problems);
+        let [number, height, bar] = ["grousers", "grouser_height", "grouser_thickness"]
+            .map(|key| required(KEYS, section, key, problems));
         // The range of the key leaves only whole numbers that fit.
         let grousers = Grousers { number: number? as u32, height: height?, thickness: bar? };
         Some(Self { diameter: diameter?, thickness: thickness?, grousers })
@@ -65,8 +66,8 @@ impl CaseShape for Wheel {
         ]
     }
 
-    fn other_numbers(&self) -> Vec<(&'static str, f64)> {
-        vec![("grousers", f64::from(self.grousers.number))]
+    fn other_numbers(&self) -> Numbers {
+        vec![(named("grousers"), f64::from(self.grousers.number))]
     }
 
     fn conflict(&self) -> Option<Conflict> {

@@ -1,18 +1,28 @@
-//! The width of a body that is a prism along y.
+//! The width of a body that is a prism or a body of revolution along y.
 
+use super::keys::KEYS;
 use super::slab::Slab;
-use crate::missing::required;
+use crate::key::required;
 use input::problem::Problems;
 use input::typed::Section;
 
-/// Width of a body [m]: the key `width`, or in plane strain that of the slab.
-pub(super) fn across(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<f64> {
+/// What is said of a body with a `width`.
+pub(super) const WIDE: &str = "a body is as wide as the slab";
+
+/// Width of a body along y [m]: that of a key, or in plane strain that of the slab, which is `said` of it.
+pub(super) fn across(
+    section: &Section,
+    key: &str,
+    said: &str,
+    slab: Option<Slab>,
+    problems: &mut Problems,
+) -> Option<f64> {
     match slab {
-        None => required(section, "width", problems),
-        Some(slab) if !section.has("width") => Some(slab.covering_width()),
+        None => required(KEYS, section, key, problems),
+        Some(slab) if !section.has(key) => Some(slab.covering_width()),
         Some(_) => {
-            let message = "in plane strain a body is as wide as the slab";
-            problems.add(section.at("width"), message, "remove `width`");
+            let message = format!("in plane strain {said}");
+            problems.add(section.at(key), message, format!("remove `{key}`"));
             None
         }
     }

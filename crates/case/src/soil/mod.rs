@@ -1,13 +1,17 @@
 //! The soil of a case: what every soil has, and its law.
 
+pub(crate) mod at_rest;
 pub(crate) mod law;
+mod read;
 
 pub use law::{
     ClaySoftening, Initial, Law, MohrCoulomb, Potential, Sand, SoilLaw, Strength, Tresca, VonMises,
 };
 
-use crate::keys::allowed::{BELOW_HALF, NOT_NEGATIVE, POSITIVE};
-use crate::keys::usual::{AT_REST, DENSITY as USUAL_DENSITY, POISSON, STIFFNESS, WEIGHT};
+pub(crate) use read::{Conditions, soil};
+
+use crate::key::allowed::{BELOW_HALF, NOT_NEGATIVE, POSITIVE};
+use crate::key::usual::{AT_REST, DENSITY as USUAL_DENSITY, POISSON, STIFFNESS, WEIGHT};
 use DefaultValue::{Number, Required};
 use input::key::{
     DefaultValue, Key, KeyOf, Kind, Numbers, Place, count, declared, in_ranges, joined, key, numbers,

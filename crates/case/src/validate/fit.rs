@@ -1,8 +1,11 @@
-//! Whether the bodies fit into the box, and their motion its planes of symmetry.
+//! Whether the bodies fit into the box and the grid, their motion its planes of symmetry, and the ground its
+//! boundaries.
 
+use crate::body::MIN_CELLS_ACROSS;
 use crate::overlap;
 use crate::path::{Paths, path};
-use crate::resolved::{Body, Domain, MOTIONS, Motion};
+use crate::resolved::{Body, Case, Domain, Ground, MOTIONS, Motion, Wall};
+use crate::thickness::{ThinPlace, thin_places};
 use input::problem::Problems;
 use input::quantity::plain;
 use mechanics::Pose;
@@ -171,5 +174,54 @@ fn stays_inside(body: &Body, domain: &Domain, paths: &Paths, problems: &mut Prob
             ("heave", "make domain.z deeper, or the path shorter")
         };
         problems.add(at(body, key), message, cure);
+    }
+}
+
+/// Reports walls of bodies from files that are too thin to resolve contact; the rounding of STL makes none
+/// so.
+pub(super) fn walls(case: &Case, problems: &mut Problems) {
+    let places =
+        case.touching().flat_map(|(_, body)| thin_places(case, body, MIN_CELLS_ACROSS * (1.0 - 1e-5)));
+    for ThinPlace { path, cells, wall } in places {
+        let Some((thickness, place)) = wall else { continue };
+        let message = format!(
+            "only {cells:.2} cells across {path} where it is thinnest, {:.4} mm at {place}: too few to resolve contact, and soil \
+             would pass through it",
+            1e3 * thickness
+        );
+        let cure = format!(
+            "make grid.cell at most {:.4} mm for one cell across, or the wall thicker; 4 or more are advisable",
+            1e3 * case.grid.fine_cell().min_element() * cells / MIN_CELLS_ACROSS
+        );
+        problems.add(path, message, cure);
+    }
+}
+
+/// Reports boundaries at constant stress that the ground or a grid that follows a body contradicts.
+pub(super) fn constant_stress(case: &Case, problems: &mut Problems) {
+    let domain = &case.domain;
+    if !domain.yields() {
+        return;
+    }
+    if matches!(case.ground, Ground::Column { .. }) {
+        let message =
+            "no ground lies beyond the boundaries of a column, which has none to bear its stress at rest";
+        problems.add("domain", message, "write \"smooth\" or \"fixed\" instead of \"pressure\"");
+    }
+    let is_covered = case.ground.surface() >= domain.high.z;
+    if domain.lid() == Wall::Pressure && !(is_covered && case.overburden > 0.0) {
+        let message = "a lid of constant pressure needs soil up to the lid and the pressure on it";
+        let cure =
+            "give ground.overburden, and let domain.z end at ground.surface; a free surface needs no lid";
+        problems.add("domain.z_walls", message, cure);
+    }
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let follows = case.grid.follow.is_some_and(|follow| follow.axes[axis]);
+        if follows && domain.walls[axis].contains(&Wall::Pressure) {
+            let message = format!(
+                "there are no walls along {name} in a grid that follows a body: ground enters there already"
+            );
+            problems.add(format!("domain.{name}_walls"), message, "remove it");
+        }
     }
 }

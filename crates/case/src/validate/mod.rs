@@ -1,24 +1,18 @@
 //! Whether a case can be simulated, however it was made. It sees values only; problems name the path of the
 //! key at fault.
 
-pub(super) mod body;
 mod cost;
-pub(super) mod domain;
 pub(super) mod fit;
 mod follow;
-pub(super) mod grid;
-mod joint;
 mod motions;
-pub(super) mod names;
-pub(super) mod relief;
-pub(super) mod soil;
+mod relief;
+mod soil;
 mod stages;
-pub(super) mod timing;
-pub(super) mod water;
+mod water;
 
-use super::numbers::in_range;
 use super::path::Paths;
 use super::resolved::{Case, SOIL, Soil};
+use super::{body, domain, grid, ground, joint, names, run, stage, top};
 use input::problem::{Problem, Problems};
 
 /// Everything that is wrong with a case; empty for one that can be simulated.
@@ -56,7 +50,7 @@ pub(super) fn whole(case: &Case, problems: &mut Problems) {
 /// Every part by itself.
 fn parts(case: &Case, problems: &mut Problems) {
     names::case_name(&case.name, problems);
-    in_range("gravity", case.gravity, problems);
+    top::check_gravity(case.gravity, problems);
     if let Some(water) = &case.water {
         water.check(problems);
     }
@@ -64,12 +58,10 @@ fn parts(case: &Case, problems: &mut Problems) {
         of_section.check(&path, problems);
     }
     names::parts("layer", &case.layers.iter().map(|layer| &*layer.name).collect::<Vec<_>>(), problems);
-    for layer in &case.layers {
-        in_range(&format!("{}.top", layer.path()), layer.top, problems);
-    }
+    case.layers.iter().for_each(|layer| layer.check(problems));
     names::parts("soil_body", &case.soil_bodies.iter().map(|b| &*b.name).collect::<Vec<_>>(), problems);
     for body in &case.soil_bodies {
-        relief::soil_body(body, case.domain.plane_strain, problems);
+        body.check(case.domain.plane_strain, problems);
     }
     case.relief.furrows.iter().for_each(|furrows| furrows.check(problems));
     case.numerics.check(problems);
@@ -77,26 +69,24 @@ fn parts(case: &Case, problems: &mut Problems) {
     names::parts("body", &case.bodies.iter().map(|body| &*body.name).collect::<Vec<_>>(), problems);
     names::parts("joint", &case.joints.iter().map(|joint| &*joint.name).collect::<Vec<_>>(), problems);
     for body in &case.bodies {
-        body::body(body, (case.grid.fine_cell(), case.domain.plane_strain), problems);
+        body::check(body, case.fine_cells(), problems);
     }
-    joint::joints(case, problems);
-    stages::stages(case, problems);
-    timing::duration(case.duration, problems);
+    joint::check(&case.joints, &case.bodies, &case.domain, problems);
+    stage::check(&case.stages, &case.bodies, &case.domain, problems);
+    run::check(case.duration, problems);
     case.output.check(case.duration, problems);
-    domain::domain(&case.domain, problems);
-    domain::ground_numbers(&case.ground, problems);
-    domain::velocity_numbers(case.velocity, problems);
-    soil::overburden_number(case.overburden, problems);
-    soil::slope_numbers(&case.slope, problems);
-    grid::grid(&case.grid, &case.domain, problems);
+    domain::check(&case.domain, problems);
+    ground::numbers(&case.ground, case.velocity, case.overburden, problems);
+    case.slope.check(problems);
+    grid::check(&case.grid, &case.domain, problems);
 }
 
 /// Whether the parts fit each other.
 fn fits_together(case: &Case, problems: &mut Problems) {
-    domain::ground(&case.ground, &case.domain, problems);
-    domain::velocity(case.velocity, &case.domain, problems);
-    domain::constant_stress(case, problems);
-    soil::overburden(case.overburden, &case.soil, case.ground.surface(), &case.domain, problems);
+    ground::check(&case.ground, &case.domain, problems);
+    ground::check_velocity(case.velocity, &case.domain, problems);
+    fit::constant_stress(case, problems);
+    ground::check_overburden(case.overburden, &case.soil, case.ground.surface(), &case.domain, problems);
     soil::slope(case, problems);
     soil::growing_strength(case, problems);
     soil::layers(case, problems);
@@ -105,7 +95,7 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     relief::relief(case, problems);
     fit::bodies_fit(&Paths::of(case), &case.domain, problems);
     if !problems.ignores_resolution() {
-        body::walls(case, problems);
+        fit::walls(case, problems);
     }
     follow::follow(case, problems);
     motions::times(case, problems);

@@ -1,9 +1,7 @@
 //! Ground that is not level, and bodies of other soil in it: whether its surface lies in the box, is known
 //! wherever the grid goes, and is its own mirror image where the case is.
 
-use crate::numbers::in_range;
 use crate::resolved::{Attitude, Case, Domain, Ground, SoilBody};
-use crate::validate::body;
 use glam::DVec3;
 use input::problem::Problems;
 use input::quantity::plain;
@@ -11,24 +9,6 @@ use input::quantity::plain;
 const AXES: [&str; 2] = ["x", "y"];
 /// Least spacing of furrows in cells: fewer cannot hold a crest and a trough.
 const LEAST_CELLS: f64 = 2.0;
-
-/// Reports what is wrong with a soil body by itself, but for its soil.
-pub(crate) fn soil_body(soil_body: &SoilBody, plane_strain: bool, problems: &mut Problems) {
-    let path = soil_body.path();
-    if !soil_body.shape.has_surface() {
-        let message = "a frame has no volume, and no soil in it";
-        problems.add(format!("{path}.shape"), message, "choose another shape");
-        return;
-    }
-    // It may be thinner than a cell: then cells hold a mixture.
-    body::shape(&path, &soil_body.shape, (DVec3::ZERO, plane_strain), problems);
-    let [x, y, z] = soil_body.position.to_array();
-    let Attitude { yaw, tilt, pitch } = soil_body.attitude;
-    let all = [("x", x), ("y", y), ("elevation", z), ("yaw", yaw), ("tilt", tilt), ("pitch", pitch)];
-    for (key, number) in all {
-        in_range(&format!("{path}.{key}"), number, problems);
-    }
-}
 
 /// Reports uneven ground that does not fit the rest of the case.
 pub(super) fn relief(case: &Case, problems: &mut Problems) {

@@ -1,56 +1,12 @@
-//! The soil: whether its parameters are in range and do not contradict each other, and whether it sustains
-//! the overburden.
+//! The soils of a case: whether they rest under their own weight, and fit each other and the box.
 
-use crate::at_rest;
-use crate::numbers::in_range;
+use crate::ground::sustained;
 use crate::own_weight::compression;
-use crate::resolved::{Case, Domain, Ground, Law, SOIL, Soil, Wall};
+use crate::resolved::{Case, Domain, Ground, Law, Soil, Wall};
 use crate::slope::Slope;
+use crate::soil::at_rest;
 use input::problem::Problems;
 use input::quantity::plain;
-
-/// Reports an overburden [Pa] that is no pressure.
-pub(super) fn overburden_number(overburden: f64, problems: &mut Problems) {
-    in_range(OVERBURDEN, overburden, problems);
-}
-
-const OVERBURDEN: &str = "ground.overburden";
-
-/// Reports an overburden [Pa] under which the soil, with its surface at a height [m], does not reach up to
-/// the lid or yields at once.
-pub(crate) fn overburden(
-    overburden: f64,
-    soil: &Soil,
-    surface: f64,
-    domain: &Domain,
-    problems: &mut Problems,
-) {
-    if overburden == 0.0 {
-        return;
-    }
-    if surface < domain.high.z {
-        let message = format!(
-            "an overburden needs a lid: the soil ends at z = {} m, the box at {} m",
-            plain(surface),
-            plain(domain.high.z)
-        );
-        let cure = "let domain.z end at ground.surface, or remove `overburden`";
-        problems.add(OVERBURDEN, message, cure);
-        return;
-    }
-    sustained(SOIL, soil, overburden, problems);
-}
-
-/// Reports an overburden [Pa] under which the soil of a section yields at once.
-fn sustained(path: &str, soil: &Soil, overburden: f64, problems: &mut Problems) {
-    let ratio = soil.k0;
-    if !at_rest::sustains(&soil.law, [1.0, ratio, ratio].map(|r| r * overburden)) {
-        let message = format!(
-            "the soil of [{path}] cannot sustain this overburden with K₀ = {ratio:.3}: it would fail at once"
-        );
-        problems.add(OVERBURDEN, message, format!("add  k0 = 1  to [{path}], or lower the overburden"));
-    }
-}
 
 /// Reports a slope on which the soil does not rest, or that its boundaries contradict.
 pub(super) fn slope(case: &Case, problems: &mut Problems) {
@@ -249,12 +205,6 @@ pub(super) fn density(case: &Case, problems: &mut Problems) {
 
 fn steepest(slope: &Slope) -> f64 {
     slope.tangent().atan().to_degrees()
-}
-
-/// Reports angles of a slope that are out of range.
-pub(super) fn slope_numbers(slope: &Slope, problems: &mut Problems) {
-    in_range(SLOPE, slope.along, problems);
-    in_range(CROSS_SLOPE, slope.across, problems);
 }
 
 const SLOPE: &str = "ground.slope";

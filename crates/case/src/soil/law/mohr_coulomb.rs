@@ -1,9 +1,9 @@
 //! Frictional soil with constant angles: Mohr–Coulomb.
 
 use super::soil_law::{Initial, SoilLaw, Strength};
-use crate::keys::allowed::{ACUTE, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
-use crate::keys::usual::{COHESION, FRICTION_ANGLE};
-use crate::keys::words::POTENTIALS;
+use crate::key::allowed::{ACUTE, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
+use crate::key::usual::{COHESION, FRICTION_ANGLE};
+use crate::key::words::POTENTIALS;
 use DefaultValue::{Number, Quantity, Word};
 use input::key::{DefaultValue, Key, KeyOf, Kind, Numbers, Place, declared, numbers, read};
 use input::problem::Problems;

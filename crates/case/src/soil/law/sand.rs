@@ -1,8 +1,8 @@
 //! Sand whose strength and stiffness follow its density and pressure.
 
 use super::soil_law::{Initial, SoilLaw, Strength};
-use crate::keys::allowed::{ACUTE, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY};
-use crate::keys::usual::{CRITICAL_ANGLE, DRY_DENSITY};
+use crate::key::allowed::{ACUTE, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY};
+use crate::key::usual::{CRITICAL_ANGLE, DRY_DENSITY};
 use DefaultValue::{Number, Quantity};
 use input::key::{DefaultValue, Key, KeyOf, Kind, Numbers, Place, declared, in_ranges, numbers, read};
 use input::problem::Problems;

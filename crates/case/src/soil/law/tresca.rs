@@ -2,8 +2,8 @@
 //! rate of shear.
 
 use super::soil_law::{Initial, SoilLaw, Strength};
-use crate::keys::allowed::{AT_LEAST_ONE, NOT_NEGATIVE, POSITIVE};
-use crate::keys::usual::{GROWTH_OF_STRENGTH, UNDRAINED_STRENGTH};
+use crate::key::allowed::{AT_LEAST_ONE, NOT_NEGATIVE, POSITIVE};
+use crate::key::usual::{GROWTH_OF_STRENGTH, UNDRAINED_STRENGTH};
 use DefaultValue::{Number, Quantity};
 use input::key::{DefaultValue, Key, KeyOf, Kind, Numbers, Place, declared, numbers, read};
 use input::problem::Problems;

@@ -1,7 +1,7 @@
 //! Metal that hardens: von Mises with linear isotropic hardening.
 
 use super::soil_law::{Initial, SoilLaw, Strength};
-use crate::keys::allowed::{NOT_NEGATIVE, POSITIVE};
+use crate::key::allowed::{NOT_NEGATIVE, POSITIVE};
 use DefaultValue::Quantity;
 use input::key::{DefaultValue, Key, KeyOf, Kind, Numbers, Place, declared, numbers, read};
 use input::problem::Problems;
