@@ -4,6 +4,7 @@ use super::load::parse;
 use super::overrides::overridden;
 use super::resolved::Case;
 use input::error::CaseError;
+use input::quantity::plain;
 use toml_edit::DocumentMut;
 
 /// A case on other cells.
@@ -13,7 +14,7 @@ pub struct OtherCells {
     pub case: Case,
     /// Text of the case as a case file.
     pub typed: String,
-    /// Name of its folder: its cell size.
+    /// Name of its folder: its cell size, to four digits.
     pub name: String,
 }
 
@@ -47,7 +48,8 @@ pub fn on_cells(case: &Case, text: &str, source_name: &str, factor: f64) -> Resu
         }
     }
     let (coarser, typed) = changed(case, text, source_name, &overrides)?;
-    Ok(OtherCells { case: coarser, typed, name: format!("{cell}mm") })
+    let name = format!("{}mm", plain(format!("{cell:.3e}").parse().unwrap_or(cell)));
+    Ok(OtherCells { case: coarser, typed, name })
 }
 
 /// The case with overrides, and its text with them.

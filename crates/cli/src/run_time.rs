@@ -8,8 +8,8 @@ use std::time::Duration;
 
 /// Cells along each axis of the trial region.
 const MAX_CELLS: usize = 40;
-/// Number and duration of the trials, of which the median counts; in processor time, so that other programs do not
-/// matter much.
+/// Number and duration of the trials, of which the median counts; in processor time, so that other programs
+/// do not matter much.
 const TRIALS: usize = 9;
 const TRIAL_TIME: Duration = Duration::from_millis(50);
 /// Most contact points of the body in it; what they cost is little beside the soil.

@@ -180,7 +180,7 @@ fn a_fast_tow_is_warned_of_by_what_inertia_adds() {
 #[test]
 fn run_does_not_overwrite_unasked() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("run.json"), "{\"format\": 2}").unwrap();
+    std::fs::write(folder.path().join("run.json"), "{\"format\": 3}").unwrap();
     let refusal =
         coulter().args(["run", &shipped("light_disc.toml"), "-o"]).arg(folder.path()).assert().code(2);
     assert!(String::from_utf8_lossy(&refusal.get_output().stderr).contains("--force"));
@@ -190,8 +190,8 @@ fn run_does_not_overwrite_unasked() {
 fn results_of_another_format_are_refused_with_what_to_do() {
     let folder = tempfile::tempdir().unwrap();
     for (record, words) in [
-        ("{\"format\": 3}", ["newer than this version", "install a newer version"]),
-        ("{\"format\": 1}", ["no longer read", "run its case.toml again"]),
+        ("{\"format\": 4}", ["newer than this version", "install a newer version"]),
+        ("{\"format\": 2}", ["no longer read", "run its case.toml again"]),
         ("{}", ["does not say in which format", "run its case.toml again"]),
     ] {
         std::fs::write(folder.path().join("run.json"), record).unwrap();

@@ -8,7 +8,7 @@ use std::{ops::Range, sync::Arc};
 
 /// A range of a text that was typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct TextSpan {
     /// Number of the text; 0 is the case file, the others are one `--set` each.
     pub source: usize,
     /// Range of bytes in it.
@@ -18,8 +18,8 @@ pub struct Place {
 /// Where an entry stands.
 #[derive(Clone, Debug)]
 struct EntryPlace {
-    name: Place,
-    value: Place,
+    name: TextSpan,
+    value: TextSpan,
 }
 
 /// The texts that were typed, and where every entry stands in them.
@@ -42,7 +42,7 @@ impl Places {
     }
 
     /// Enters where the entry at a path stands.
-    pub(super) fn insert(&mut self, path: &str, name: Place, value: Place) {
+    pub(super) fn insert(&mut self, path: &str, name: TextSpan, value: TextSpan) {
         self.entries.insert(path.to_owned(), EntryPlace { name, value });
     }
 
@@ -55,7 +55,7 @@ impl Places {
 
     /// Where the entry at a path stands; of a key that is not given, its section; otherwise the start of the
     /// file.
-    pub(super) fn place(&self, path: &str, aim: Aim) -> Place {
+    pub(super) fn place(&self, path: &str, aim: Aim) -> TextSpan {
         if let Some(entry) = self.entries.get(path) {
             return match aim {
                 Aim::Value => entry.value.clone(),
@@ -67,7 +67,7 @@ impl Places {
         }
         match path.rsplit_once('.') {
             Some((section, _)) => self.place(section, Aim::Name),
-            None => Place { source: 0, span: 0..0 },
+            None => TextSpan { source: 0, span: 0..0 },
         }
     }
 
@@ -78,7 +78,7 @@ impl Places {
     }
 
     /// The error with problems whose places are known, in the order of the texts.
-    pub fn error_at(&self, mut problems: Vec<(Place, Problem)>) -> CaseError {
+    pub fn error_at(&self, mut problems: Vec<(TextSpan, Problem)>) -> CaseError {
         problems.sort_by_key(|(place, _)| (place.source, place.span.start));
         problems.dedup();
         let located = problems.into_iter().filter_map(|(place, problem)| {

@@ -2,7 +2,7 @@
 
 use super::hidden;
 use super::names::nearest;
-use super::places::{Place, Places};
+use super::places::{Places, TextSpan};
 use super::problem::Problem;
 use super::tree::{Entry, Value, join};
 use toml::{Spanned, de::DeTable, de::DeValue};
@@ -15,11 +15,11 @@ pub struct TomlTree {
     /// Where its entries stand.
     pub places: Places,
     /// What could not be read.
-    pub problems: Vec<(Place, Problem)>,
+    pub problems: Vec<(TextSpan, Problem)>,
 }
 
 impl TomlTree {
-    fn add(&mut self, place: Place, message: impl Into<String>, cure: impl Into<String>) {
+    fn add(&mut self, place: TextSpan, message: impl Into<String>, cure: impl Into<String>) {
         self.problems.push((place, Problem::new("", message, cure)));
     }
 }
@@ -37,7 +37,7 @@ pub fn read(name: &str, text: &str, overrides: &[String]) -> TomlTree {
             continue;
         }
         lines.push(line);
-        read.add(Place { source: 0, span }, sentence(error.message()), cure(error.message()));
+        read.add(TextSpan { source: 0, span }, sentence(error.message()), cure(error.message()));
     }
     if read.problems.is_empty() {
         read.tree = Reader { places: &mut read.places, source: 0, offset: 0 }.entries(document.get_ref(), "");
@@ -96,12 +96,12 @@ fn fix_for_unknown_body(root: &[Entry], overrides: &[String], text: &str) -> Opt
 fn override_one(read: &mut TomlTree, overrides: &[String], text: &str) {
     if let Some(cure) = fix_for_unknown_body(&read.tree, overrides, text) {
         let source = read.places.add_source(&format!("--set {text}"), text);
-        read.add(Place { source, span: 0..text.len() }, "there is no body of this name", cure);
+        read.add(TextSpan { source, span: 0..text.len() }, "there is no body of this name", cure);
         return;
     }
     let name = format!("--set {}", text.split('=').next().unwrap_or_default().trim());
     let source = read.places.add_source(&name, text);
-    let whole = Place { source, span: 0..text.len() };
+    let whole = TextSpan { source, span: 0..text.len() };
     let cure = "write --set soil.friction_angle=\"38 deg\"";
     let Some((path, value_text)) = text.split_once('=') else {
         read.add(whole, format!("`--set {text}` has no `=`"), cure);
@@ -111,9 +111,9 @@ fn override_one(read: &mut TomlTree, overrides: &[String], text: &str) {
         read.add(whole, format!("`{path}` is not a key"), cure);
         return;
     };
-    let name = Place { source, span: 0..path.len() };
+    let name = TextSpan { source, span: 0..path.len() };
     let offset = path.len() + 1;
-    let value_place = Place { source, span: offset..text.len() };
+    let value_place = TextSpan { source, span: offset..text.len() };
     let path = keys.join(".");
     // The entry is placed first, then what is in it: a table or a list.
     read.places.forget_below(&path);
@@ -138,7 +138,7 @@ fn insert(
     table: &mut Vec<Entry>,
     places: &mut Places,
     (keys, depth): (&[&str], usize),
-    name: &Place,
+    name: &TextSpan,
     value: Value,
 ) -> Result<(), String> {
     let Some(first) = keys.get(depth) else { return Ok(()) };
@@ -173,8 +173,8 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn place(&self, span: std::ops::Range<usize>) -> Place {
-        Place { source: self.source, span: span.start + self.offset..span.end + self.offset }
+    fn place(&self, span: std::ops::Range<usize>) -> TextSpan {
+        TextSpan { source: self.source, span: span.start + self.offset..span.end + self.offset }
     }
 
     /// The value of an override: TOML where it is TOML, otherwise plain text, since the shell removes quotes.

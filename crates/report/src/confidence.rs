@@ -49,7 +49,8 @@ pub(super) fn attach(
     Ok(())
 }
 
-/// The intervals of a run in a folder of its own, with this verdict, from variations whose runs lie below `dir`.
+/// The intervals of a run in a folder of its own, with this verdict, from variations whose runs lie below
+/// `dir`.
 fn intervals(
     dir: &Path,
     (own, record, verdict): (&Path, &RunRecord, Verdict),
@@ -72,7 +73,8 @@ fn intervals(
     Ok(evaluate(confidence, (&history, verdict), &runs, bodies, record.steady_part()))
 }
 
-/// The intervals of the finest of several meshes whose runs lie below a folder; `None` where none can be used.
+/// The intervals of the finest of several meshes whose runs lie below a folder; `None` where none can be
+/// used.
 ///
 /// # Errors
 /// When a file cannot be read.

@@ -40,9 +40,9 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     let figures = &confidence.bodies[BODY].figures;
     for ((name, simulation), result) in meshes.iter().zip(&confidence.variations) {
         let found = &result.bodies[BODY];
-        put(runner, (name, simulation), |key| found.get(key).copied())?;
+        put(runner, name, simulation, |key| found.get(key).copied())?;
     }
-    put(runner, (last, &fine), |key| figures.get(key).map(|figure| figure.value))?;
+    put(runner, last, &fine, |key| figures.get(key).map(|figure| figure.value))?;
     let three = |key: &str| -> Option<[OnMesh; 3]> {
         let others = confidence.variations.iter();
         let mut all: Vec<OnMesh> = others
@@ -99,7 +99,8 @@ fn together(fine: &Simulation, others: &[(&str, Simulation)]) -> Confidence {
 /// The figures of one mesh.
 fn put(
     runner: &mut Runner,
-    (name, simulation): (&str, &Simulation),
+    name: &str,
+    simulation: &Simulation,
     figure: impl Fn(&str) -> Option<f64>,
 ) -> Result<(), VerifyError> {
     let mut figures: Vec<(&str, f64)> =

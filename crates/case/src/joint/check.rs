@@ -40,8 +40,8 @@ fn numbers(path: &str, joint: &Joint, problems: &mut Problems) -> bool {
     problems.len() == before
 }
 
-/// In a symmetric or a plane strain case a joint lies in the plane of the body, at y = `middle` [m], and moves
-/// it in this plane.
+/// In a symmetric or a plane strain case a joint lies in the plane of the body, at y = `middle` [m], and
+/// moves it in this plane.
 fn keeps_to_the_planes(joint: &Joint, middle: f64, domain: &Domain, problems: &mut Problems) {
     let path = joint.path();
     if domain.symmetric_x {

@@ -51,7 +51,7 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     let cost = estimate::cost(&case);
     let seconds = run_time::estimate(&case, &cost);
     let variations = match crate::common::asked(arguments.meshes, arguments.confidence, &[]) {
-        Some(asked) => Some(variation_costs(&arguments.case, &overrides, (&case, seconds), &asked)?),
+        Some(asked) => Some(variation_costs(&arguments.case, &overrides, &case, seconds, &asked)?),
         None => None,
     };
     let mut warnings = warnings(&case, &cost);
@@ -109,13 +109,14 @@ fn warnings(case: &Case, cost: &Cost) -> Vec<String> {
 fn variation_costs(
     path: &Path,
     overrides: &[String],
-    (case, seconds): (&Case, Option<f64>),
+    case: &Case,
+    seconds: Option<f64>,
     asked: &Asked,
 ) -> Result<VariationCosts, Failure> {
     let text = case::text(path)?;
     let source_name = path.display().to_string();
     let typed = case::overridden(&text, &source_name, overrides)?;
-    Ok(VariationCosts::of((case, seconds), &variations(case, &typed, &source_name, asked)?))
+    Ok(VariationCosts::of(case, seconds, &variations(case, &typed, &source_name, asked)?))
 }
 
 fn as_json(mut document: serde_json::Value, variations: Option<&VariationCosts>) -> Result<(), Failure> {

@@ -2,7 +2,6 @@
 
 use super::cost::time_in_words;
 use coulter::case::Case;
-use coulter::confidence::Status;
 use coulter::confidence::variations::{LeftOut, VariationPlan};
 use coulter::run::relative_cost;
 use serde::Serialize;
@@ -28,7 +27,7 @@ pub(super) struct VariationCosts {
 }
 
 impl VariationCosts {
-    pub(super) fn of((case, seconds): (&Case, Option<f64>), plan: &VariationPlan) -> Self {
+    pub(super) fn of(case: &Case, seconds: Option<f64>, plan: &VariationPlan) -> Self {
         let runs = plan.variations.iter().map(|variation| VariationCost {
             name: variation.name.clone(),
             source: variation.source.word(),
@@ -36,7 +35,7 @@ impl VariationCosts {
             relative_cost: relative_cost(case, variation),
             estimated_wall_s: seconds.map(|seconds| seconds * relative_cost(case, variation)),
         });
-        let asked = plan.left_out.iter().filter(|left_out| left_out.status != Status::NotAskedFor);
+        let asked = plan.left_out.iter().filter(|left_out| left_out.is_asked_for);
         let left_out = |left_out: &LeftOut| [left_out.name.clone(), left_out.why.clone()];
         Self { runs: runs.collect(), left_out: asked.map(left_out).collect() }
     }

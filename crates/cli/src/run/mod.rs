@@ -58,7 +58,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "WANTED", conflicts_with_all = ["meshes", "confidence"], value_parser = Wanted::parse)]
     accuracy: Option<Wanted>,
     /// How long the variations may take together: "20 min", or a multiple of the case's own run such as 4x.
-    /// What does not fit is reported as not examined [default: 6x]
+    /// What does not fit is reported as not examined [default: 8x]
     #[arg(long, value_name = "TIME", requires = "narrowed", value_parser = crate::common::budget)]
     budget: Option<Budget>,
     /// What the intervals leave out, because it is a part of the problem: domain (real walls), speed (a fast

@@ -30,7 +30,8 @@ pub struct RunRequest {
     pub threads: Option<u16>,
     /// With variations: which, and how long they may take together, if there is a limit.
     pub variations: Option<(Asked, Option<Budget>)>,
-    /// How accurate the figures are to be on cells that the run chooses, and how long all runs may take together.
+    /// How accurate the figures are to be on cells that the run chooses, and how long all runs may take
+    /// together.
     pub accuracy: Option<(Wanted, Budget)>,
     /// Show no progress.
     pub quiet: bool,

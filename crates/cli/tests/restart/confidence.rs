@@ -18,7 +18,7 @@ const CASE: [&str; 11] = [
     "--meshes",
     "3",
 ];
-const NAMES: [&str; 5] = ["cells_24.7mm", "cells_35mm", "larger_domain", "half_speed", "single_precision"];
+const NAMES: [&str; 5] = ["cells_19.69mm", "cells_35mm", "larger_domain", "half_speed", "single_precision"];
 
 fn with<'a>(arguments: &[&'a str]) -> Vec<&'a str> {
     [&CASE[..], arguments].concat()

@@ -61,9 +61,8 @@ fn a_study_has_the_results_of_the_case_and_intervals_from_other_meshes() {
     sandbox.run(&all).is(0, &["single precision (precision): "]);
 }
 
-/// On the coarsest mesh the disc is too thin for contact, or the run breaks: another one takes its place.
 #[test]
-fn a_mesh_that_breaks_is_replaced_and_one_that_cannot_be_had_is_named() {
+fn a_case_that_breaks_down_has_no_intervals_and_a_thin_body_has_other_meshes() {
     let sandbox = Sandbox::new();
     let thin = ["--set", "body.disc.thickness=35 mm", "--set", "run.tow_distance=10 mm"];
     let text = sandbox.check(&study(&thin)).is(0, &[]).out;
@@ -72,14 +71,14 @@ fn a_mesh_that_breaks_is_replaced_and_one_that_cannot_be_had_is_named() {
     let reply = sandbox.run(&study(&heavy));
     assert_eq!(reply.code, Some(1), "{}", reply.err);
     assert_eq!(sandbox.summary()["trust"]["verdict"], "broken");
-    let why = &sandbox.summary()["confidence"]["bodies"]["disc"]["no_interval_because"];
-    assert!(why.as_str().unwrap().contains("is broken"));
+    assert!(sandbox.summary()["confidence"].is_null());
     for count in ["1", "7"] {
         sandbox.run(&with(&["--meshes", count])).is(2, &["2..=6"]);
     }
 }
 
-/// Coarse cells come first, and the answer's own are those that promise what is wanted; a run that was killed goes on.
+/// Coarse cells come first, and the answer's own are those that promise what is wanted; a run that was killed
+/// goes on.
 #[test]
 fn a_run_finds_cells_for_the_accuracy_that_is_wanted() {
     let sandbox = Sandbox::new();
@@ -101,11 +100,9 @@ fn a_run_finds_cells_for_the_accuracy_that_is_wanted() {
     let summary = sandbox.summary();
     assert!(variations(&summary).len() >= 3 && summary["confidence"]["wanted"]["drag_N"] == 0.6);
     let width = |value: &Value| value["width_m"].as_f64().unwrap();
-    let meshes = summary["confidence"]["variations"].as_array().unwrap();
-    assert!(
-        meshes.iter().all(|mesh| width(mesh) > width(&summary["confidence"])),
-        "the answer is the finest"
-    );
+    let all = summary["confidence"]["variations"].as_array().unwrap();
+    let mut meshes = all.iter().filter(|variation| variation["source"] == "mesh");
+    assert!(meshes.all(|mesh| width(mesh) > width(&summary["confidence"])), "the answer is the finest");
     let before = sandbox.files();
     sandbox.run(&resumed).is(0, &["accuracy of the sinkage"]);
     assert!(sandbox.files() == before, "a file has changed");

@@ -1,4 +1,5 @@
-//! A run that finds its own cells: coarse ones first, whose figures tell how fine the cells of the answer have to be.
+//! A run that finds its own cells: coarse ones first, whose figures tell how fine the cells of the answer
+//! have to be.
 
 use super::confidence::{Budget, has_ended, run_variation, work};
 use super::options::{End, RunError, RunOptions, Start};
@@ -10,7 +11,7 @@ use report::{
     Summary, add_confidence, clear_all, confidence_lines, explored, finished, make_variations_folder,
     require_nothing, run_of,
 };
-use results::confidence::variations::{Variation, on_step};
+use results::confidence::variations::{ErrorSource, Variation, on_step};
 use results::confidence::{Confidence, Status, VariationResult, Wanted};
 use results::folder::hash_of;
 use results::progress;
@@ -22,16 +23,17 @@ const COARSEST: i32 = 4;
 const FINEST: i32 = -8;
 /// Meshes before the answer's own: with it there are four, from which on trend and scatter are told apart.
 const EXPLORED: usize = 3;
-/// Steps beyond the finest mesh so far that a trend is trusted for; where finer cells are needed, one is explored in
-/// between.
+/// Steps beyond the finest mesh so far that a trend is trusted for; where finer cells are needed, one is
+/// explored in between.
 const TRUSTED: i32 = 3;
 
-/// Runs a case on cells of its own choice, so that the intervals (90 %) of its figures become as narrow as wanted.
+/// Runs a case on cells of its own choice, so that the intervals (90 %) of its figures become as narrow as
+/// wanted.
 ///
-/// Meshes from cells twice as wide on are run as variations, each finer by a factor of 1.19, until three are not
-/// broken. Their trends, scatter and statistics tell the widest cells on which the wanted half-widths are to be
-/// expected; the case is run on these, or on the finest that the budget allows, and its results with the intervals
-/// from all meshes are those of the folder. A coarse mesh that breaks is passed over.
+/// Meshes from cells twice as wide on are run as variations, each finer by a factor of 1.19, until three are
+/// not broken. Their trends, scatter and statistics tell the widest cells on which the wanted half-widths are
+/// to be expected; the case is run on these, or on the finest that the budget allows, and its results with
+/// the intervals from all meshes are those of the folder. A coarse mesh that breaks is passed over.
 ///
 /// # Errors
 /// As [`super::run`]; [`RunError::Physics`] where the run on the cells that were chosen breaks down.
@@ -161,8 +163,8 @@ impl Search<'_> {
         self.meshes.iter().map(result).collect()
     }
 
-    /// The cells of the answer: those that were chosen before the run was stopped, or the widest that promise what
-    /// is wanted, or the finest that the budget allows.
+    /// The cells of the answer: those that were chosen before the run was stopped, or the widest that promise
+    /// what is wanted, or the finest that the budget allows.
     fn choose(&mut self) -> Result<Chosen, RunError> {
         loop {
             let finest = self.finest();
@@ -182,14 +184,24 @@ impl Search<'_> {
             if affordable > finest - TRUSTED {
                 return Ok(Chosen::Own(Box::new(self.mesh(affordable)?)));
             }
-            let between = self.mesh(finest - TRUSTED + 1)?;
-            if let Some(stopped) = self.examine(finest - TRUSTED + 1, between)? {
-                return Ok(Chosen::Stopped(stopped));
+            let between = finest - TRUSTED + 1;
+            match self.mesh(between) {
+                Ok(mesh) => {
+                    if let Some(stopped) = self.examine(between, mesh)? {
+                        return Ok(Chosen::Stopped(stopped));
+                    }
+                }
+                Err(_) => return Ok(Chosen::Own(Box::new(self.mesh(affordable)?))),
+            }
+            if self.finest() == finest {
+                // Its run is broken, and says nothing.
+                return Ok(Chosen::Own(Box::new(self.mesh(affordable)?)));
             }
         }
     }
 
-    /// The case whose run the folder holds already, if it is resumed, after the meshes that were explored for it.
+    /// The case whose run the folder holds already, if it is resumed, after the meshes that were explored for
+    /// it.
     fn begun(&mut self, finest: i32) -> Result<Option<Chosen>, RunError> {
         let Some(hash) = run_of(self.options.folder)? else { return Ok(None) };
         let is_it = |mesh: &Variation| hash_of(&mesh.case) == hash;
@@ -210,8 +222,8 @@ impl Search<'_> {
         Err(RunError::OtherCase(self.options.folder.to_path_buf()))
     }
 
-    /// The widest cells, by their step, on which every figure is to be expected as accurate as wanted; the finest
-    /// where none are.
+    /// The widest cells, by their step, on which every figure is to be expected as accurate as wanted; the
+    /// finest where none are.
     fn needed(&self, finest: i32) -> Result<i32, RunError> {
         let confidence = explored(self.options.folder, &self.results())?;
         let promises = |step: i32| {
@@ -249,7 +261,15 @@ impl Search<'_> {
         let spent_s = self.spent + summary.wall_s;
         let confidence =
             Confidence { budget_s, spent_s, wanted: self.wanted.clone(), ..Confidence::default() };
-        let summary = add_confidence(options.folder, confidence, &self.results())?;
+        let not_asked_for = |source: ErrorSource| VariationResult {
+            name: format!("other_{}", source.word()),
+            source,
+            status: Status::NotAskedFor,
+            ..VariationResult::default()
+        };
+        let others = [ErrorSource::Domain, ErrorSource::Speed, ErrorSource::Precision].map(not_asked_for);
+        let results = [self.results(), others.into()].concat();
+        let summary = add_confidence(options.folder, confidence, &results)?;
         let lines = [confidence_lines(&summary), self.reached(&summary), verdict(&summary)].concat();
         progress::tell(&lines.join("\n"), options.quiet);
         Ok(End::Finished(Box::new(summary)))

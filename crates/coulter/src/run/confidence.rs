@@ -24,10 +24,10 @@ pub enum Budget {
 }
 
 impl Default for Budget {
-    /// Enough for all variations of most cases: two coarser meshes take a quarter of the case's own time,
-    /// half the speed twice, the other precision once, and a larger domain up to twice.
+    /// Enough for all variations of most cases: three coarser meshes take up to one and a half times the
+    /// case's own time, half the speed twice, the other precision once, and a larger domain up to twice.
     fn default() -> Self {
-        Self::Times(6.0)
+        Self::Times(8.0)
     }
 }
 
@@ -113,7 +113,7 @@ fn left_out(left_out: &LeftOut) -> VariationResult {
     VariationResult {
         name: left_out.name.clone(),
         source: left_out.source,
-        status: left_out.status,
+        status: if left_out.is_asked_for { Status::NotApplicable } else { Status::NotAskedFor },
         because: Some(left_out.why.clone()),
         ..VariationResult::default()
     }
@@ -131,8 +131,8 @@ struct Account<'a> {
 }
 
 impl Account<'_> {
-    /// Examines the case on other cells, with another mesh in place of each whose run is broken; how a run was
-    /// stopped, if it was.
+    /// Examines the case on other cells, with another mesh in place of each whose run is broken; how a run
+    /// was stopped, if it was.
     fn examine_meshes(
         &mut self,
         planned: Vec<&Variation>,

@@ -2,7 +2,7 @@
 //!
 //! Both are made from the record of the run, its histories and what the other formats have left in the
 //! folder, so that a report can be rebuilt without the state. The names in `summary.json` are a contract. No
-//! other format depends on this one, but the mesh study and the intervals, which put several runs into one
+//! other format depends on this one, but the intervals, which put several runs into one
 //! report.
 
 mod assembly;

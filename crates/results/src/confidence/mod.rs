@@ -9,6 +9,7 @@ mod combine;
 mod convergence;
 mod evaluate;
 mod figures;
+mod promise;
 mod statistics;
 pub mod variations;
 mod wanted;

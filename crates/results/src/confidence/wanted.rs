@@ -1,13 +1,11 @@
-//! How accurate figures are to be, and what their intervals promise on other cells.
+//! How accurate figures are to be.
 
-use super::figures::ConfidenceInterval;
-use crate::confidence::variations::ErrorSource;
 use crate::history::quantities::Quantity;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// How accurate figures are to be: half-widths of their intervals over their values, by key; the empty key is that of
-/// all figures that are not named.
+/// How accurate figures are to be: half-widths of their intervals over their values, by key; the empty key is
+/// that of all figures that are not named.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Wanted(pub BTreeMap<String, f64>);
 
@@ -55,52 +53,6 @@ impl Wanted {
     #[must_use]
     pub fn is_nothing(&self) -> bool {
         self.0.is_empty()
-    }
-}
-
-impl ConfidenceInterval {
-    /// The half-width over the value that is to be expected once cells `ratio` times as wide are known as well; `None`
-    /// where it cannot be told.
-    #[must_use]
-    pub fn predicted(&self, ratio: f64) -> Option<f64> {
-        let relative = self.relative_half_width?;
-        if self.half_width == 0.0 {
-            return Some(0.0);
-        }
-        let scale = self.half_width / relative;
-        let squares = self.contributions.iter().map(|part| {
-            let half = match &part.convergence {
-                Some(convergence) => convergence.half_width_with(ratio),
-                None => 0.5 * (part.below + part.above),
-            };
-            half * half
-        });
-        Some(squares.sum::<f64>().sqrt() / scale)
-    }
-
-    /// What would make the half-width over the value as small as wanted.
-    #[must_use]
-    pub fn what_helps(&self, wanted: f64) -> String {
-        let without_cells = self.predicted(0.1).unwrap_or(f64::INFINITY);
-        let is_statistics = self.dominated_by == Some(ErrorSource::Statistics);
-        if without_cells > wanted {
-            return if is_statistics {
-                "the mean over the window scatters; a longer run narrows that".to_owned()
-            } else {
-                "figures scatter from mesh to mesh by more than that; a longer run averages over more of it"
-                    .to_owned()
-            };
-        }
-        let enough = (1..=40)
-            .map(|n| 0.95_f64.powi(n))
-            .find(|ratio| self.predicted(*ratio).is_some_and(|half| half <= wanted));
-        match enough {
-            Some(ratio) => format!(
-                "cells {ratio:.2} times as wide are expected to reach it, at {:.0} times the time of this run; give more with --budget",
-                ratio.powi(-4)
-            ),
-            None => "cells of a tenth of the width would not be enough".to_owned(),
-        }
     }
 }
 

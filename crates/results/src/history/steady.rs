@@ -176,7 +176,7 @@ fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize>) -
         moment: Some([means.moment_x, means.moment_y, means.moment_z]).filter(|moment| are_finite(moment)),
         water_drag: finite(means.water_drag).filter(|drag| *drag != 0.0),
         pore_pressure: Some(pore_pressure).filter(|force| are_finite(force) && *force != [0.0; 2]),
-        // The rest is filled in below, from the grade of the run, and from a mesh study.
+        // The rest is filled in below, from the grade of the run.
         ..Steady::default()
     };
     // A ratio is that of the means.

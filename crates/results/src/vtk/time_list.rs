@@ -27,7 +27,7 @@ pub(super) fn write_time_list(to: &Inside, frames: &[TimedFile]) -> Result<(), O
     write_whole(to, text.as_bytes())
 }
 
-/// Reads back a list that [`write_time_list`] wrote; none when there is no such file.
+/// Reads back a list that `write_time_list` wrote; none when there is no such file.
 pub fn read_time_list(from: &Inside) -> Result<Vec<TimedFile>, OutputError> {
     if !from.exists() {
         return Ok(Vec::new());

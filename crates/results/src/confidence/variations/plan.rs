@@ -4,7 +4,6 @@ use super::change::{Change, Original, Unnamed, reason};
 use super::domain::larger_domain;
 use super::source::ErrorSource;
 use super::speed::half_speed;
-use crate::confidence::Status;
 use case::meshes::{OtherCells, finest_widths, on_cells, representative_width};
 use case::resolved::{Attitude, Case, Precision};
 use input::error::CaseError;
@@ -35,8 +34,8 @@ pub struct LeftOut {
     pub name: String,
     /// What it would examine.
     pub source: ErrorSource,
-    /// Whether it does not apply, or nobody asked for it.
-    pub status: Status,
+    /// Whether it was asked for, and does not apply.
+    pub is_asked_for: bool,
     /// Why, in words.
     pub why: String,
 }
@@ -100,19 +99,10 @@ pub fn variations(
             plan.add(name, ErrorSource::Mesh, result);
         }
     }
-    let mut others: [(&str, ErrorSource, &dyn Fn() -> Result<Unnamed, String>); 3] = [
-        ("larger_domain", ErrorSource::Domain, &|| original.varied(larger_domain(original)?)),
-        ("half_speed", ErrorSource::Speed, &|| original.varied(half_speed(original)?)),
-        ("", ErrorSource::Precision, &|| original.varied(other_precision(case).1)),
-    ];
-    others[2].0 = other_precision(case).0;
-    for (name, source, varied) in others {
-        if asked.without.contains(&source) {
-            plan.leave_out(name, source);
-        } else {
-            plan.add(name.to_owned(), source, varied());
-        }
-    }
+    let (name, precision) = other_precision(case);
+    plan.examine(asked, ("larger_domain", ErrorSource::Domain), || original.varied(larger_domain(original)?));
+    plan.examine(asked, ("half_speed", ErrorSource::Speed), || original.varied(half_speed(original)?));
+    plan.examine(asked, (name, ErrorSource::Precision), || original.varied(precision));
     Ok(plan)
 }
 
@@ -122,23 +112,38 @@ impl VariationPlan {
             Ok((what, case, typed, time_factor)) => {
                 self.variations.push(Variation { name, source, what, case, typed, time_factor });
             }
-            Err(why) => self.left_out.push(LeftOut { name, source, status: Status::NotApplicable, why }),
+            Err(why) => self.left_out.push(LeftOut { name, source, is_asked_for: true, why }),
+        }
+    }
+
+    /// Adds the variation for a source that is not left out.
+    fn examine(
+        &mut self,
+        asked: &Asked,
+        (name, source): (&str, ErrorSource),
+        varied: impl FnOnce() -> Result<Unnamed, String>,
+    ) {
+        if asked.without.contains(&source) {
+            self.leave_out(name, source);
+        } else {
+            self.add(name.to_owned(), source, varied());
         }
     }
 
     fn leave_out(&mut self, name: &str, source: ErrorSource) {
         let (name, why) = (name.to_owned(), "nobody asked for it".to_owned());
-        self.left_out.push(LeftOut { name, source, status: Status::NotAskedFor, why });
+        self.left_out.push(LeftOut { name, source, is_asked_for: false, why });
     }
 }
 
-/// The widest cells of a study over the case's own, of more than two meshes (chosen: within a factor of two the
-/// coarser ones cost less together than the case's own run, and several of them tell a trend from scatter).
+/// The widest cells of a study over the case's own, of more than two meshes (chosen: within a factor of two
+/// the coarser ones cost less together than the case's own run, and several of them tell a trend from
+/// scatter).
 const SPREAD: f64 = 2.0;
 /// The wider cells of two meshes over the finer ones.
 const OF_TWO: f64 = 1.5;
-/// Widths that are tried where cells of the wanted one do not fill the domain: one of them divides a domain that
-/// is a whole number of cells wide.
+/// Widths that are tried where cells of the wanted one do not fill the domain: one of them divides a domain
+/// that is a whole number of cells wide.
 const TRIED: [f64; 16] = [
     1.1,
     9.0 / 8.0,
@@ -169,7 +174,7 @@ fn meshes(original: Original, count: usize) -> Vec<(String, Result<Unnamed, Stri
     let mut found = Vec::new();
     for n in 1..count {
         let wanted = spread.powf(n as f64 / (count - 1) as f64);
-        found.push(match on_cells_near(original, wanted, &taken) {
+        found.push(match on_cells_near(original, wanted, &taken, f64::INFINITY) {
             Ok(mesh) => {
                 taken.push(representative_width(&mesh.case));
                 named(mesh)
@@ -178,7 +183,7 @@ fn meshes(original: Original, count: usize) -> Vec<(String, Result<Unnamed, Stri
         });
     }
     if taken.len() == 1 {
-        let finer = on_cells_near(original, 1.0 / OF_TWO, &taken);
+        let finer = on_cells_near(original, 1.0 / OF_TWO, &taken, f64::INFINITY);
         found.push(finer.map_or_else(|why| ("finer_cells".to_owned(), Err(why)), named));
     }
     found
@@ -189,21 +194,21 @@ fn named(mesh: OtherCells) -> (String, Result<Unnamed, String>) {
     (format!("cells_{}", mesh.name), Ok((what, mesh.case, mesh.typed, 1.0)))
 }
 
-/// How much more a grid may be stretched along one axis than along another for it to be similar to the case's own, and
-/// by how much of a cell, above 1, flat faces of bodies may lie elsewhere in their cells (chosen).
+/// How much more a grid may be stretched along one axis than along another for it to be similar to the case's
+/// own, and by how much of a cell, above 1, flat faces of bodies may lie elsewhere in their cells (chosen).
 const SIMILAR: f64 = 1.01;
 
-/// The case on cells about `wanted` times as wide, which differ from those of the widths that are taken [m]. Of those
-/// near enough the nearest whose grid is similar to the case's own, since cells that are fitted to flat faces
-/// (`grid.fit`) change their shape otherwise; where none is, the one that is the most similar.
-fn on_cells_near(original: Original, wanted: f64, taken: &[f64]) -> Result<OtherCells, String> {
+/// The case on cells about `wanted` times as wide, which differ from those of the widths that are taken and are at most
+/// `widest` [m]. Of those near enough the nearest whose grid is similar to the case's own, since cells that are fitted to
+/// flat faces (`grid.fit`) change their shape otherwise; where none is, the one that is the most similar.
+fn on_cells_near(original: Original, wanted: f64, taken: &[f64], widest: f64) -> Result<OtherCells, String> {
     let Original { case, text, source_name } = original;
     let on = |factor: f64| {
         let mesh = on_cells(case, text, source_name, factor).map_err(|error| reason(&error))?;
         let width = representative_width(&mesh.case);
         let ratio = |other: &f64| (width / other).max(other / width);
         let least = taken.iter().map(ratio).fold(f64::INFINITY, f64::min);
-        if least >= LEAST_RATIO {
+        if least >= LEAST_RATIO && width <= widest {
             return Ok(mesh);
         }
         Err(format!(
@@ -236,9 +241,9 @@ fn on_cells_near(original: Original, wanted: f64, taken: &[f64]) -> Result<Other
     best.map(|(_, mesh)| mesh).ok_or_else(|| why.unwrap_or_default())
 }
 
-/// How much more the finest cells of another case are stretched along one axis than along another, beside those of the
-/// case, in plane strain along x and z; or 1 and by how much of a cell flat faces lie elsewhere in their cells, if that
-/// is more.
+/// How much more the finest cells of another case are stretched along one axis than along another, beside
+/// those of the case, in plane strain along x and z; or 1 and by how much of a cell flat faces lie elsewhere
+/// in their cells, if that is more.
 fn change_of_shape(case: &Case, other: &Case) -> f64 {
     let axes: &[usize] = if case.domain.plane_strain { &[0, 2] } else { &[0, 1, 2] };
     let (cell, finest) = (finest_widths(case), finest_widths(other));
@@ -255,7 +260,10 @@ fn face_places(case: &Case, axes: &[usize]) -> Vec<f64> {
         let (low, high) = body.bounds();
         for axis in axes.iter().copied().filter(|axis| body.shape.has_flat_sides(*axis)) {
             let lines = &case.grid.faces[axis];
-            for face in [low, high].map(|end| body.position[axis] + end[axis]) {
+            let faces = [low, high].map(|end| body.position[axis] + end[axis]);
+            // Of half a model the other one lies outside.
+            let is_inside = |face: &f64| *face >= lines[0] && *face <= lines[lines.len() - 1];
+            for face in faces.into_iter().filter(is_inside) {
                 let above = lines.partition_point(|line| *line < face).clamp(1, lines.len() - 1);
                 let [below, above] = [lines[above - 1], lines[above]];
                 places.push((face - below).abs().min((above - face).abs()) / (above - below));
@@ -265,7 +273,8 @@ fn face_places(case: &Case, axes: &[usize]) -> Vec<f64> {
     places
 }
 
-/// The case on cells that are 2^(step/4) times as wide, or near that, and differ from those of the cases in `taken`.
+/// The case on cells that are 2^(step/4) times as wide, or near that, and finer than those of the cases in
+/// `taken`.
 ///
 /// # Errors
 /// Why there are none.
@@ -276,7 +285,8 @@ pub fn on_step(
 ) -> Result<Variation, CaseError> {
     let taken: Vec<f64> = taken.iter().map(|case| representative_width(case)).collect();
     let original = Original { case, text, source_name };
-    match on_cells_near(original, 2_f64.powf(0.25 * f64::from(step)), &taken) {
+    let widest = taken.iter().copied().fold(f64::INFINITY, f64::min);
+    match on_cells_near(original, 2_f64.powf(0.25 * f64::from(step)), &taken, widest) {
         Ok(mesh) => {
             let what = format!("cells of {} mm", plain(1e3 * mesh.case.grid.cell));
             let OtherCells { case, typed, name } = mesh;
@@ -287,9 +297,9 @@ pub fn on_step(
     }
 }
 
-/// A mesh that takes the place of one whose run is broken: its cells lie in the widest gap between those of the
-/// case and the meshes in `usable`, or the broken one. `used` are all that there are; `None` where there is no
-/// room for another one.
+/// A mesh that takes the place of one whose run is broken: its cells lie in the widest gap between those of
+/// the case and the meshes in `usable`, or the broken one. `used` are all that there are; `None` where there
+/// is no room for another one.
 #[must_use]
 pub fn in_place_of(
     broken: &Variation,
@@ -304,7 +314,7 @@ pub fn in_place_of(
     let gap = widths.windows(2).max_by(|a, b| (a[1] / a[0]).total_cmp(&(b[1] / b[0])))?;
     let taken: Vec<f64> = used.iter().map(|case| representative_width(case)).chain([own]).collect();
     let original = Original { case, text, source_name };
-    let mesh = on_cells_near(original, (gap[0] * gap[1]).sqrt() / own, &taken).ok()?;
+    let mesh = on_cells_near(original, (gap[0] * gap[1]).sqrt() / own, &taken, end).ok()?;
     let mut plan = VariationPlan::default();
     let (name, varied) = named(mesh);
     plan.add(name, ErrorSource::Mesh, varied);
@@ -409,6 +419,18 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_mesh_takes_the_place_of_a_broken_one_in_the_widest_gap() {
+        let (case, plan) = plan(DISC, &[], &[]);
+        let meshes: Vec<&Case> = plan.variations[..3].iter().map(|variation| &variation.case).collect();
+        let own = (&case, DISC, "case.toml");
+        let other = in_place_of(&plan.variations[2], (&meshes[..2], &meshes), own).unwrap();
+        let width = |case: &Case| representative_width(case);
+        assert!(width(&case) < width(&other.case) && width(&other.case) < width(meshes[2]));
+        assert!(meshes.iter().all(|mesh| (width(mesh) / width(&other.case)).ln().abs() > 0.05));
+        assert_eq!(parse(&other.typed, "case.toml", &[]).unwrap(), other.case);
     }
 
     #[test]
