@@ -6,7 +6,7 @@ use super::options::{End, RunError, RunOptions, Start};
 use super::part::Part;
 use super::start::{ended_before, lock};
 use super::{run_locked, verdict};
-use case::{Case, FORMAT, require_valid};
+use case::{Case, require_valid};
 use report::{
     Summary, add_confidence, clear_all, confidence_lines, explored, finished, make_variations_folder,
     require_nothing, run_of,
@@ -240,10 +240,7 @@ impl Search<'_> {
 
     /// Runs the case on the cells that were chosen, and adds the intervals from all meshes.
     fn conclude(&self, own: &Variation) -> Result<End, RunError> {
-        let typed = format!(
-            "# Cells of {}: chosen by coulter run --accuracy (format {FORMAT}).\n{}",
-            own.what, own.typed
-        );
+        let typed = format!("# With {}: chosen by coulter run --accuracy.\n{}", own.what, own.typed);
         let options = RunOptions { typed: &typed, ..*self.options };
         let summary = match ended_before(&own.case, options.folder) {
             Ok(Some(summary)) => Box::new(summary),

@@ -1,6 +1,6 @@
 //! The checks that the variations of a case give.
 
-use super::figures::{BodyConfidence, Confidence, ConfidenceInterval};
+use super::figures::{BodyConfidence, Confidence, ConfidenceInterval, Status, VariationResult};
 use crate::confidence::variations::ErrorSource;
 use crate::trust::Check;
 use crate::trust::limits::{self, Limit};
@@ -22,7 +22,11 @@ impl Confidence {
         for (name, body) in &self.bodies {
             checks.extend(of_body(name, body));
         }
-        let missing = self.variations.iter().filter(|v| v.status.is_missing());
+        // A broken mesh is replaced by another one.
+        let is_mesh = |v: &&VariationResult| v.source == ErrorSource::Mesh;
+        let has_mesh = self.variations.iter().filter(is_mesh).any(|v| v.status == Status::Examined);
+        let is_replaced = |v: &&VariationResult| has_mesh && is_mesh(v) && v.status == Status::Broken;
+        let missing = self.variations.iter().filter(|v| v.status.is_missing() && !is_replaced(v));
         let mut names: Vec<String> =
             missing.map(|v| format!("{} is {}", v.name.replace('_', " "), v.status.words())).collect();
         names.extend(self.bodies.iter().filter_map(|(name, body)| without_statistics(name, body)));

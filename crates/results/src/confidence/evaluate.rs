@@ -345,7 +345,8 @@ mod tests {
             [Status::Examined, Status::Broken, Status::NotExamined, Status::NotComparable, Status::Examined];
         assert_eq!(status, expected);
         assert!(!figure.is_complete);
-        assert!(figure.half_width > 1.0 && figure.half_width < 10.0, "two meshes: {figure:?}");
+        // What the first and the second order extrapolate to: 98 and 99.2.
+        assert!(figure.interval[0] < 98.0 && figure.interval[1] > 100.0, "two meshes: {figure:?}");
         assert_eq!(figure.contributions[1].because.as_deref(), Some("its run broke down"));
     }
 
@@ -354,7 +355,8 @@ mod tests {
         let finer = (result("finer", ErrorSource::Mesh, 0.1 / 1.5), Some(pressed(1.0, 99.0, 0.0)));
         let body = study(&pressed(1.0, 100.0, 0.0), &[finer]);
         let figure = &body.figures["vertical_N"];
-        assert!(figure.half_width > 1.0 && figure.half_width < 10.0, "{figure:?}");
+        // What the first order extrapolates to from 100 and 99: 97.
+        assert!(figure.interval[0] < 97.0 && figure.interval[1] > 99.2, "{figure:?}");
     }
 
     #[test]
