@@ -17,8 +17,8 @@ const MOST_POINTS: f64 = 2e5;
 /// Cost of later steps, when soil yields and is remapped, over that of the first ones; measured on the
 /// shipped cases.
 const LATER_STEPS: f64 = 1.5;
-/// Part of the time of several threads in which they compute (`docs/performance.md`: two are 1.7 to 1.9 times as
-/// fast as one).
+/// Part of the time of several threads in which they compute (`docs/performance.md`: two are 1.7 to 1.9 times
+/// as fast as one).
 const EFFICIENCY: f64 = 0.9;
 /// Time for the report [s], and per cell of a field file [s]; measured.
 const WRITING: [f64; 2] = [0.6, 1.3e-6];

@@ -198,9 +198,10 @@ fn named(mesh: OtherCells) -> (String, Result<Unnamed, String>) {
 /// own, and by how much of a cell, above 1, flat faces of bodies may lie elsewhere in their cells (chosen).
 const SIMILAR: f64 = 1.01;
 
-/// The case on cells about `wanted` times as wide, which differ from those of the widths that are taken and are at most
-/// `widest` [m]. Of those near enough the nearest whose grid is similar to the case's own, since cells that are fitted to
-/// flat faces (`grid.fit`) change their shape otherwise; where none is, the one that is the most similar.
+/// The case on cells about `wanted` times as wide, which differ from those of the widths that are taken and
+/// are at most `widest` [m]. Of those near enough the nearest whose grid is similar to the case's own, since
+/// cells that are fitted to flat faces (`grid.fit`) change their shape otherwise; where none is, the one that
+/// is the most similar.
 fn on_cells_near(original: Original, wanted: f64, taken: &[f64], widest: f64) -> Result<OtherCells, String> {
     let Original { case, text, source_name } = original;
     let on = |factor: f64| {
