@@ -40,10 +40,17 @@ pub fn on_cells(case: &Case, text: &str, source_name: &str, factor: f64) -> Resu
     let cell: f64 = format!("{cell:.8e}").parse().unwrap_or(cell);
     let mut overrides = vec![format!("grid.cell=\"{cell} mm\"")];
     let typed: Option<DocumentMut> = text.parse().ok();
+    let is_given = |section: &str, key: &str| {
+        typed.as_ref().and_then(|document| document.get(section)?.get(key)).is_some()
+    };
+    // Where neither is given the cells of the case have a shape of their own.
+    if !is_given("grid", "cell") && !is_given("grid", "aspect") {
+        let [x, y, z] = case.grid.aspect.to_array();
+        overrides.push(format!("grid.aspect=[{x}, {y}, {z}]"));
+    }
     let (low, high) = (case.domain.low, case.domain.high);
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        let domain = typed.as_ref().and_then(|document| document.get("domain"));
-        if domain.is_none_or(|section| section.get(name).is_none()) {
+        if !is_given("domain", name) {
             overrides.push(format!("domain.{name}=[\"{} m\", \"{} m\"]", low[axis], high[axis]));
         }
     }
@@ -69,9 +76,22 @@ pub fn changed(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     const TOWED_DISC: &str = include_str!("../../../cases/light_disc.toml");
     const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
+
+    #[test]
+    fn cells_that_are_not_given_keep_their_shape() {
+        let text =
+            TOWED_DISC.replace("cell = \"12.5 mm\"", "").replace("sinkage = \"0 mm\"", "sinkage = \"40 mm\"");
+        let text = text.replace("heave = {", "# heave = {");
+        let case = parse(&text, "case.toml", &[]).unwrap();
+        let mesh = on_cells(&case, &text, "case.toml", 1.5).unwrap();
+        assert_ne!(case.grid.aspect, DVec3::ONE);
+        assert_eq!(mesh.case.grid.aspect, case.grid.aspect);
+        assert!((mesh.case.grid.cell - 1.5 * case.grid.cell).abs() < 1e-12);
+    }
 
     #[test]
     fn cells_are_wider_and_everything_else_stays() {

@@ -5,7 +5,7 @@
 use super::body::{self, Body, Others};
 use super::context::Context;
 use super::joint::{self, Joint};
-use super::key::{all, checked, range};
+use super::key::{all, checked, missing, range};
 use super::layer::Layer;
 use super::path::Paths;
 use super::relief::Relief;
@@ -17,6 +17,7 @@ use super::soil_body::soil_body;
 use super::stage::{self, Stage};
 use super::typed_case::Schema;
 use super::{domain, grid, ground, run, top, validate};
+use glam::DVec3;
 use input::problem::Problems;
 use input::typed::Section;
 
@@ -33,15 +34,14 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let numerics = Numerics::typed(&schema.numerics, &schema.soil, problems);
     let relief = Relief::typed(schema.height_map.as_ref(), schema.furrows.as_ref(), problems);
     let law = soil.as_ref().map(|s| s.law);
-    let mut context = given.and_then(|(g, water)| context(schema, g, water, law, relief.as_ref(), problems));
+    let about = given.map(|(gravity, water)| About { gravity, water, law, relief: relief.as_ref() });
+    let cells = about.and_then(|about| cells(schema, about, soil.as_ref(), problems));
+    let mut context = about.zip(cells).and_then(|(about, cells)| context(schema, about, cells, problems));
     let soil_bodies = context.as_mut().and_then(|context| soil_bodies(schema, context, problems));
-    let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
-    let parts = bodies.and_then(|bodies| parts(schema, bodies, context.as_ref()?, problems));
+    let parts = context.as_ref().and_then(|context| parts(schema, context, problems));
     let (bodies, joints, stages) = parts.map_or((None, None, None), |(b, j, s)| (Some(b), Some(j), Some(s)));
     let name = top::name(&schema.top, source_name, problems);
-    let typed = &schema.stages[..];
-    let last = |bodies: &Vec<Body>| run::duration(&schema.run, bodies, typed, stages.as_deref(), problems);
-    let duration = bodies.as_ref().and_then(last);
+    let duration = bodies.as_ref().and_then(|bodies| duration(schema, bodies, stages.as_deref(), problems));
     let forecast = Measured::typed(&schema.forecast, problems);
     let output = duration.and_then(|d| Output::typed(&schema.output, d, problems));
     let (context, bodies) = (context?, bodies?);
@@ -102,20 +102,60 @@ fn on_soil(gravity: f64, water: Option<Water>) -> f64 {
     water.map_or(gravity, |water| water.soil_gravity(gravity))
 }
 
-fn context(
-    schema: &Schema,
+/// What is known before the bodies.
+#[derive(Clone, Copy)]
+struct About<'a> {
+    /// Acceleration of gravity [m/s²].
     gravity: f64,
     water: Option<Water>,
+    /// Yield law of the soil, if it could be read.
     law: Option<Law>,
-    relief: Option<&Relief>,
+    relief: Option<&'a Relief>,
+}
+
+/// Size and shape of the cells [m]: as typed, or such that they resolve the bodies, which are read for it on
+/// cells of any size first.
+fn cells(
+    schema: &Schema,
+    about: About,
+    soil: Option<&Soil>,
+    problems: &mut Problems,
+) -> Option<(f64, DVec3)> {
+    const ANY: f64 = 1e-3;
+    let (cell, aspect) = grid::cells(&schema.grid, problems)?;
+    if let Some(cell) = cell {
+        return Some((cell, aspect.unwrap_or(DVec3::ONE)));
+    }
+    let mut found = Problems::without_resolution();
+    let mut on_any = || {
+        let mut context = context(schema, about, (ANY, aspect.unwrap_or(DVec3::ONE)), &mut found)?;
+        soil_bodies(schema, &mut context, &mut found)?;
+        let (bodies, _, stages) = parts(schema, &context, &mut found)?;
+        let duration = duration(schema, &bodies, Some(&stages), &mut found)?;
+        Some((context, bodies, duration))
+    };
+    let read = on_any();
+    problems.append(found);
+    let (context, bodies, duration) = read?;
+    let Some((cells, why)) = grid::usual(&bodies, aspect, soil?, &context, duration) else {
+        missing(grid::KEYS, &schema.grid, "cell", problems);
+        return None;
+    };
+    problems.remark(why);
+    Some(cells)
+}
+
+fn context(
+    schema: &Schema,
+    about: About,
+    (cell, aspect): (f64, DVec3),
     problems: &mut Problems,
 ) -> Option<Context> {
-    let (cell, aspect) = grid::cells(&schema.grid, problems);
+    let About { gravity, water, law, relief } = about;
     let surface = schema.ground.number("surface");
     let [symmetric, symmetric_x, plane_strain] =
         ["symmetric", "symmetric_x", "plane_strain"].map(|key| schema.domain.flag(key).unwrap_or_default());
     checked((), problems, |(), problems| domain::planes(symmetric, plane_strain, problems))?;
-    let (cell, aspect) = (cell?, aspect?);
     let slab = if plane_strain {
         let [low, high] = range(domain::KEYS, &schema.domain, "y", Some([0.0, cell * aspect.y]), problems)?;
         let inset = schema.numerics.number("edge_inset")?;
@@ -178,13 +218,23 @@ fn tables(schema: &Schema) -> Vec<MotionTable> {
     schema.bodies.iter().chain(in_stages).flat_map(of_section).collect()
 }
 
+/// When the run ends [s].
+fn duration(
+    schema: &Schema,
+    bodies: &[Body],
+    stages: Option<&[Stage]>,
+    problems: &mut Problems,
+) -> Option<f64> {
+    run::duration(&schema.run, bodies, &schema.stages, stages, problems)
+}
+
 /// The bodies that move for themselves, the joints between them, and the stages.
 fn parts(
     schema: &Schema,
-    bodies: Vec<Body>,
     context: &Context,
     problems: &mut Problems,
 ) -> Option<(Vec<Body>, Vec<Joint>, Vec<Stage>)> {
+    let bodies = bodies(schema, context, problems)?;
     body::sections(&schema.bodies, problems);
     let joints = all(&schema.joints, |section| joint::typed(section, &bodies, context.surface, problems))?;
     let before = problems.len();

@@ -87,6 +87,11 @@ impl Problems {
         }
     }
 
+    /// Adds those of another list.
+    pub fn append(&mut self, others: Self) {
+        others.found.into_iter().for_each(|(aim, problem)| self.push(aim, problem));
+    }
+
     /// Keeps what is to be said of how a file was read, which is no problem; the same only once.
     pub fn remark(&mut self, remark: String) {
         if !self.remarks.contains(&remark) {

@@ -14,7 +14,13 @@ pub(crate) const FOLLOW: &[Key] = &[
 
 /// Keys of the grid.
 pub(crate) const KEYS: &[Key] = &[
-    key("cell", Kind::Quantity(LENGTH), Required, "Cell size h in the fine zone: the smallest width of its cells.").within(POSITIVE),
+    key(
+        "cell",
+        Kind::Quantity(LENGTH),
+        Derived("small enough for the bodies and their sinkage, rounded down"),
+        "Cell size h in the fine zone: the smallest width of its cells. Without bodies it must be given.",
+    )
+    .within(POSITIVE),
     key(
         "aspect",
         Kind::Ratios,

@@ -5,10 +5,12 @@ mod fitting;
 mod grading;
 mod keys;
 mod read;
+mod usual;
 
 pub(crate) use check::check;
 pub(crate) use keys::{FOLLOW, KEYS};
 pub(crate) use read::{cells, follow, grid};
+pub(crate) use usual::usual;
 
 use glam::DVec3;
 use serde::Serialize;

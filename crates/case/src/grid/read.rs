@@ -10,7 +10,7 @@ use crate::clearance::{SoilConditions, clearance};
 use crate::context::Context;
 use crate::domain::Domain;
 use crate::ground::Ground;
-use crate::key::{checked, range, required};
+use crate::key::{checked, range};
 use crate::path::{Extent, Paths, body_length};
 use glam::DVec3;
 use input::problem::Problems;
@@ -22,12 +22,16 @@ const FINE_AROUND: DVec3 = DVec3::new(0.5, 0.25, 0.5);
 /// lengths]; chosen: the foot of the heap matters, its top carries little.
 const FINE_ABOVE: [f64; 2] = [0.25, 0.5];
 
-/// Size and shape of the cells; `None` for what was given wrongly.
-pub(crate) fn cells(section: &Section, problems: &mut Problems) -> (Option<f64>, Option<DVec3>) {
-    let cell = required(KEYS, section, "cell", problems);
-    let widths = section.list("aspect").filter(|widths| widths.len() == 3);
-    let widths = widths.map(|widths| DVec3::from_slice(&widths));
-    (cell, widths.and_then(|widths| checked(widths, problems, |widths, problems| aspect(*widths, problems))))
+/// Size and shape of the cells as far as they are given, each `None` where it is not; `None` where one of
+/// them was given wrongly.
+pub(crate) fn cells(section: &Section, problems: &mut Problems) -> Option<(Option<f64>, Option<DVec3>)> {
+    let cell = if section.has("cell") { Some(section.number("cell")?) } else { None };
+    if !section.has("aspect") {
+        return Some((cell, None));
+    }
+    let widths = section.list("aspect").filter(|widths| widths.len() == 3)?;
+    let widths = DVec3::from_slice(&widths);
+    Some((cell, Some(checked(widths, problems, |widths, problems| aspect(*widths, problems))?)))
 }
 
 /// The default fine zone: round the path of the bodies, or everywhere without any.

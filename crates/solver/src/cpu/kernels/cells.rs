@@ -143,7 +143,9 @@ pub(super) fn tensor<const N: usize>(components: &[[Real; N]; 6], i: usize) -> S
     [xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]]
 }
 
-/// Scratch memory of a block of cells, in one piece.
+/// Scratch memory of a block of cells, in one piece, that begins on a cache line: vectors that cross lines
+/// cost Intel's processors up to a third of the stage.
+#[repr(align(64))]
 pub struct Block {
     /// Index of the first cell in the row.
     pub(super) start: usize,

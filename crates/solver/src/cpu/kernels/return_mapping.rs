@@ -154,6 +154,7 @@ fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &
 
 /// A vector of yielding cells.
 #[derive(Default)]
+#[repr(align(64))]
 struct Yielding {
     /// Trial stress, later the returned one [Pa].
     trial: [[Real; LANES]; 6],
