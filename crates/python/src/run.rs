@@ -7,7 +7,7 @@ use crate::source::{Source, SourceText, count, request};
 use coulter::confidence::Wanted;
 use coulter::confidence::variations::ErrorSource;
 use coulter::interrupts::Interrupts;
-use coulter::run::{Follower, NoFollower, Start};
+use coulter::run::{Accuracy, Follower, NoFollower, Start};
 use coulter_cli::{Failure, PreparedRun, RunRequest, asked, budget, error_source, graded};
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -61,7 +61,7 @@ impl RunCall {
             start: start(&self.start)?,
             threads: count("threads", self.threads)?,
             variations,
-            accuracy: accuracy.map(|wanted| (wanted, budget.unwrap_or_default())),
+            accuracy: accuracy.map(|wanted| Accuracy { wanted, budget: budget.unwrap_or_default(), without }),
             quiet: self.quiet,
         })
     }

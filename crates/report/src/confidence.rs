@@ -3,6 +3,7 @@
 //! Histories are read back from their files, so that intervals that are made later are the same to the bit.
 
 use super::report::Summary;
+use results::confidence::variations::ErrorSource;
 use results::confidence::{Confidence, Status, VariationResult, VariedRun, evaluate};
 use results::files::{Inside, Named, OutputError, VARIATIONS, make_folder};
 use results::folder::{Contents, RunRecord, inspect};
@@ -73,14 +74,17 @@ fn intervals(
     Ok(evaluate(confidence, (&history, verdict), &runs, bodies, record.steady_part()))
 }
 
-/// The intervals of the finest of several meshes whose runs lie below a folder; `None` where none can be
+/// The intervals of the finest mesh among variations whose runs lie below a folder; `None` where none can be
 /// used.
 ///
 /// # Errors
 /// When a file cannot be read.
-pub fn explored(dir: &Path, meshes: &[VariationResult]) -> Result<Option<Confidence>, OutputError> {
+pub fn explored(dir: &Path, results: &[VariationResult]) -> Result<Option<Confidence>, OutputError> {
     let mut finest: Option<(usize, RunRecord)> = None;
-    for (n, mesh) in meshes.iter().enumerate() {
+    for (n, mesh) in results.iter().enumerate() {
+        if mesh.source != ErrorSource::Mesh {
+            continue;
+        }
         let folder = variation_folder(dir, &mesh.name)?;
         let record = RunRecord::read(&folder)?;
         let is_finer = finest.as_ref().is_none_or(|(_, other)| record.cell_width < other.cell_width);
@@ -89,9 +93,9 @@ pub fn explored(dir: &Path, meshes: &[VariationResult]) -> Result<Option<Confide
         }
     }
     let Some((n, record)) = finest else { return Ok(None) };
-    let own = variation_folder(dir, &meshes[n].name)?;
+    let own = variation_folder(dir, &results[n].name)?;
     let others: Vec<VariationResult> =
-        meshes.iter().enumerate().filter(|(other, _)| *other != n).map(|(_, mesh)| mesh.clone()).collect();
+        results.iter().enumerate().filter(|(other, _)| *other != n).map(|(_, mesh)| mesh.clone()).collect();
     let verdict = Summary::read(&own)?.trust.verdict;
     intervals(dir, (&own, &record, verdict), Confidence::default(), &others).map(Some)
 }

@@ -18,7 +18,7 @@ pub(crate) const KEYS: &[Key] = &[
         "cell",
         Kind::Quantity(LENGTH),
         Derived("small enough for the bodies and their sinkage, rounded down"),
-        "Cell size h in the fine zone: the smallest width of its cells. Without bodies it must be given.",
+        "Cell size h in the fine zone: the smallest width of its cells. Left out, there are some 8 over a body's length, 4 over its width and height, 5 over the sinkage of a free body, 8 over that of one that is held or moved, 8 over the contact of what rolls or is pressed; flat ones (`aspect`) where that needs fewer; none smaller than the longest body over 40. Without bodies it must be given.",
     )
     .within(POSITIVE),
     key(

@@ -40,7 +40,7 @@ pub(crate) fn usual(
     let thinnest = bodies.iter().map(size).reduce(DVec3::min)?;
     let limits = needed.max(DVec3::splat(body_length(&bodies) / AT_MOST)).min(thinnest);
     // In plane strain a single cell lies across the slab.
-    let limits = if context.slab.is_some() { limits.with_y(f64::INFINITY) } else { limits };
+    let limits = if context.slab.is_some() { limits.with_y(limits.x.min(limits.z)) } else { limits };
     let aspect = aspect.unwrap_or_else(|| shape(limits));
     let cell = rounded_down((limits / aspect).min_element());
     let [x, y, z] = (cell * aspect * 1e3).to_array().map(|width| format!("{}", (width * 1e6).round() / 1e6));
@@ -147,6 +147,21 @@ fn rounded_down(length: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::{Case, advice, parse};
+
+    #[test]
+    fn the_documented_numbers_of_cells_are_these() {
+        let documented = crate::keys::at("grid.cell").unwrap().meaning;
+        let [free, held] = OVER_SINKAGE;
+        for said in [
+            format!("{} over a body's length, {} over its width and height", ACROSS.x, ACROSS.y),
+            format!("{free} over the sinkage of a free body, {held} over that of one that is held"),
+            format!("{OVER_CONTACT} over the contact"),
+            format!("longest body over {AT_MOST}"),
+        ] {
+            assert!(documented.contains(&said), "{said}");
+        }
+        assert_eq!(ACROSS.y, ACROSS.z);
+    }
 
     #[test]
     fn lengths_are_rounded_down() {

@@ -10,7 +10,7 @@ use clap::ArgGroup;
 use coulter::case;
 use coulter::confidence::Wanted;
 use coulter::confidence::variations::ErrorSource;
-use coulter::run::{Budget, NoFollower, Start};
+use coulter::run::{Accuracy, Budget, NoFollower, Start};
 use std::path::PathBuf;
 
 pub use request::{PreparedRun, RunRequest, graded};
@@ -54,7 +54,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     confidence: bool,
     /// Choose the cells: coarse ones first, and then those on which the intervals (90 %) become as narrow as
-    /// wanted: "5 %", or "drag 5 %, sinkage 8 %"
+    /// wanted: "5 %", or "drag 5 %, sinkage 8 %". The effects of domain and speed are examined on coarse ones
     #[arg(long, value_name = "WANTED", conflicts_with_all = ["meshes", "confidence"], value_parser = Wanted::parse)]
     accuracy: Option<Wanted>,
     /// How long the variations may take together: "20 min", or a multiple of the case's own run such as 4x.
@@ -63,7 +63,7 @@ pub(super) struct Arguments {
     budget: Option<Budget>,
     /// What the intervals leave out, because it is a part of the problem: domain (real walls), speed (a fast
     /// tow that is meant), mesh, precision; may be repeated
-    #[arg(long, value_name = "SOURCE", requires = "confidence", value_delimiter = ',', value_parser = crate::common::error_source)]
+    #[arg(long, value_name = "SOURCE", requires = "narrowed", value_delimiter = ',', value_parser = crate::common::error_source)]
     without: Vec<ErrorSource>,
     /// Print summary.json at the end
     #[arg(long)]
@@ -82,7 +82,11 @@ impl Arguments {
             start: self.start(),
             threads: self.threads,
             variations,
-            accuracy: self.accuracy.clone().map(|wanted| (wanted, self.budget.unwrap_or_default())),
+            accuracy: self.accuracy.clone().map(|wanted| Accuracy {
+                wanted,
+                budget: self.budget.unwrap_or_default(),
+                without: self.without.clone(),
+            }),
             quiet: self.json,
         })
     }

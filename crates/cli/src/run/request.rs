@@ -5,11 +5,10 @@ use crate::failure::Failure;
 use crate::processes;
 use coulter::case::estimate::{self, Cost};
 use coulter::case::{self, Case, cores};
-use coulter::confidence::Wanted;
-use coulter::confidence::variations::{Asked, MESHES, VariationPlan, variations};
+use coulter::confidence::variations::{Asked, ErrorSource, MESHES, VariationPlan, variations};
 use coulter::interrupts::Interrupts;
 use coulter::output::{OutputError, Summary, checkpoint};
-use coulter::run::{self, Budget, End, Follower, Request, RunError, RunOptions, Start};
+use coulter::run::{self, Accuracy, Budget, End, Follower, Request, RunError, RunOptions, Start};
 use coulter::trust::Verdict;
 use std::path::PathBuf;
 
@@ -30,9 +29,8 @@ pub struct RunRequest {
     pub threads: Option<u16>,
     /// With variations: which, and how long they may take together, if there is a limit.
     pub variations: Option<(Asked, Option<Budget>)>,
-    /// How accurate the figures are to be on cells that the run chooses, and how long all runs may take
-    /// together.
-    pub accuracy: Option<(Wanted, Budget)>,
+    /// How accurate the figures are to be on cells that the run chooses.
+    pub accuracy: Option<Accuracy>,
     /// Show no progress.
     pub quiet: bool,
 }
@@ -50,7 +48,7 @@ pub struct PreparedRun {
     quiet: bool,
     typed: String,
     plan: Option<(VariationPlan, Option<Budget>)>,
-    accuracy: Option<(Wanted, Budget)>,
+    accuracy: Option<Accuracy>,
     /// The option that asks for more than the case itself, followed by a space.
     option: String,
 }
@@ -63,6 +61,10 @@ impl RunRequest {
     pub fn prepare(&self) -> Result<PreparedRun, Failure> {
         require_range("threads", self.threads.map(usize::from), 0..=MOST_THREADS)?;
         require_range("meshes", self.variations.as_ref().map(|(asked, _)| asked.meshes), MESHES)?;
+        if self.accuracy.as_ref().is_some_and(|accuracy| accuracy.without.contains(&ErrorSource::Mesh)) {
+            let why = "accuracy chooses the cells: the mesh cannot be left out of it";
+            return Err(Failure::Request(why.to_owned()));
+        }
         let mut case = case::parse(&self.text, &self.source_name, &self.overrides)?;
         if let Some(threads) = self.threads {
             case.numerics.threads = usize::from(threads);
@@ -130,19 +132,14 @@ impl PreparedRun {
             typed: &self.typed,
             communicator: processes::communicator,
         };
-        let end = match &self.plan {
-            _ if self.accuracy.is_some() => self.run_accuracy(&options),
-            Some((plan, budget)) => {
+        let end = match (&self.accuracy, &self.plan) {
+            (Some(accuracy), _) => run::run_accuracy(&self.case, accuracy, &options),
+            (None, Some((plan, budget))) => {
                 run::run_confidence(&self.case, Request { plan, budget: *budget }, &options)
             }
-            None => run::run_followed(&self.case, &options, follower),
+            (None, None) => run::run_followed(&self.case, &options, follower),
         };
         self.conclude(end, &options)
-    }
-
-    fn run_accuracy(&self, options: &RunOptions) -> Result<End, RunError> {
-        let (wanted, budget) = self.accuracy.clone().unwrap_or_default();
-        run::run_accuracy(&self.case, &wanted, budget, options)
     }
 
     /// What the end of a run means to whoever asked for it.

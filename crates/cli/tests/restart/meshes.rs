@@ -101,9 +101,15 @@ fn a_run_finds_cells_for_the_accuracy_that_is_wanted() {
     let all = summary["confidence"]["variations"].as_array().unwrap();
     let mut meshes = all.iter().filter(|variation| variation["source"] == "mesh");
     assert!(meshes.all(|mesh| width(mesh) > width(&summary["confidence"])), "the answer is the finest");
+    for source in ["domain", "speed"] {
+        let one = all.iter().find(|variation| variation["source"] == source).unwrap();
+        let beside = one["beside"].as_str().unwrap_or_default();
+        assert!(one["status"] == "examined" && beside.starts_with("cells_"), "on cells of a mesh: {one}");
+    }
     let before = sandbox.files();
     sandbox.run(&resumed).is(0, &["accuracy of the sinkage"]);
     assert!(sandbox.files() == before, "a file has changed");
     sandbox.run(&with(&["--accuracy", "5"])).is(2, &["write such as"]);
     sandbox.run(&with(&["--accuracy", "5 %", "--meshes", "3"])).is(2, &["cannot be used with"]);
+    sandbox.run(&with(&["--accuracy", "5 %", "--without", "mesh"])).is(2, &["accuracy chooses the cells"]);
 }

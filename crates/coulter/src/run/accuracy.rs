@@ -1,7 +1,7 @@
 //! A run that finds its own cells: coarse ones first, whose figures tell how fine the cells of the answer
-//! have to be.
+//! have to be, with the effects of the domain and of the speed on one of these.
 
-use super::confidence::{Budget, has_ended, run_variation, work};
+use super::confidence::{Budget, has_ended, left_out, run_variation, work};
 use super::options::{End, RunError, RunOptions, Start};
 use super::part::Part;
 use super::start::{ended_before, lock};
@@ -11,7 +11,7 @@ use report::{
     Summary, add_confidence, clear_all, confidence_lines, explored, finished, make_variations_folder,
     require_nothing, run_of,
 };
-use results::confidence::variations::{ErrorSource, Variation, on_step};
+use results::confidence::variations::{Asked, ErrorSource, Variation, on_step, variations};
 use results::confidence::{Confidence, Status, VariationResult, Wanted};
 use results::folder::hash_of;
 use results::progress;
@@ -27,22 +27,29 @@ const EXPLORED: usize = 3;
 /// explored in between.
 const TRUSTED: i32 = 3;
 
+/// How accurate the figures of a run are to be.
+#[derive(Clone, Debug, Default)]
+pub struct Accuracy {
+    /// Half-widths of their intervals.
+    pub wanted: Wanted,
+    /// How long all runs may take together.
+    pub budget: Budget,
+    /// Sources that are not examined.
+    pub without: Vec<ErrorSource>,
+}
+
 /// Runs a case on cells of its own choice, so that the intervals (90 %) of its figures become as narrow as
 /// wanted.
 ///
 /// Meshes from cells twice as wide on are run as variations, each finer by a factor of 1.19, until three are
-/// not broken. Their trends, scatter and statistics tell the widest cells on which the wanted half-widths are
+/// not broken. On the finest of these the effects of the domain and of the speed are examined, which are taken
+/// for those on the cells of the answer. Trends, scatter and statistics tell the widest cells on which the wanted half-widths are
 /// to be expected; the case is run on these, or on the finest that the budget allows, and its results with
 /// the intervals from all meshes are those of the folder. A coarse mesh that breaks is passed over.
 ///
 /// # Errors
 /// As [`super::run`]; [`RunError::Physics`] where the run on the cells that were chosen breaks down.
-pub fn run_accuracy(
-    case: &Case,
-    wanted: &Wanted,
-    budget: Budget,
-    options: &RunOptions,
-) -> Result<End, RunError> {
+pub fn run_accuracy(case: &Case, accuracy: &Accuracy, options: &RunOptions) -> Result<End, RunError> {
     require_valid(case)?;
     let _lock = lock(options)?;
     match options.start {
@@ -51,8 +58,12 @@ pub fn run_accuracy(
         Start::Resume | Start::AutoResume => {}
     }
     make_variations_folder(options.folder)?;
-    let mut search = Search { case, wanted, options, budget, spent: 0.0, rate: None, meshes: Vec::new() };
+    let mut search =
+        Search { case, accuracy, options, spent: 0.0, rate: None, meshes: Vec::new(), others: Vec::new() };
     if let Some(stopped) = search.explore()? {
+        return Ok(stopped);
+    }
+    if let Some(stopped) = search.examine_others()? {
         return Ok(stopped);
     }
     match search.choose()? {
@@ -79,14 +90,15 @@ struct Explored {
 
 struct Search<'a> {
     case: &'a Case,
-    wanted: &'a Wanted,
+    accuracy: &'a Accuracy,
     options: &'a RunOptions<'a>,
-    budget: Budget,
     /// [s]
     spent: f64,
     /// Time per work of the last mesh [s].
     rate: Option<f64>,
     meshes: Vec<Explored>,
+    /// What was examined beside the cells.
+    others: Vec<VariationResult>,
 }
 
 impl Search<'_> {
@@ -131,17 +143,62 @@ impl Search<'_> {
     /// Whether what is left of the budget allows a mesh.
     fn allows(&self, mesh: &Variation) -> bool {
         let Some(rate) = self.rate else { return true };
-        self.spent + rate * work(&mesh.case) <= self.budget.seconds(rate * work(self.case))
+        self.spent + rate * work(&mesh.case) <= self.accuracy.budget.seconds(rate * work(self.case))
+    }
+
+    /// Runs a variation, unless it has come to its end before; how it was stopped, if it was.
+    fn run(&self, variation: &Variation, label: String) -> Result<Option<End>, RunError> {
+        let resumes = matches!(self.options.start, Start::Resume | Start::AutoResume);
+        if resumes && has_ended(variation, self.options)? {
+            return Ok(None);
+        }
+        run_variation(variation, label, self.options)
+    }
+
+    /// Examines the effects of the domain and of the speed on the finest mesh so far; how a run was stopped,
+    /// if it was.
+    fn examine_others(&mut self) -> Result<Option<End>, RunError> {
+        let Some(base) = self.usable().min_by_key(|mesh| mesh.step).map(|mesh| mesh.variation.clone()) else {
+            return Ok(None);
+        };
+        let both = [ErrorSource::Mesh, ErrorSource::Precision];
+        let without = [&both, &self.accuracy.without[..]].concat();
+        let asked = Asked { without, ..Asked::default() };
+        let plan = variations(&base.case, &base.typed, &self.case.name, &asked).map_err(RunError::Case)?;
+        for variation in &plan.variations {
+            let mut result = VariationResult {
+                name: variation.name.clone(),
+                source: variation.source,
+                what: format!("{}, on {}", variation.what, base.what),
+                time_factor: variation.time_factor,
+                beside: Some(base.name.clone()),
+                ..VariationResult::default()
+            };
+            if self.allows(variation) {
+                let label = format!("{}, {}", variation.name.replace('_', " "), base.what);
+                if let Some(stopped) = self.run(variation, label)? {
+                    return Ok(Some(stopped));
+                }
+                if let Some((wall_s, _)) = finished(self.options.folder, &variation.name)? {
+                    self.spent += wall_s;
+                    result.status = Status::Examined;
+                }
+            } else {
+                result.because =
+                    Some("the budget is too small for it: give more with --budget and --resume".into());
+            }
+            self.others.push(result);
+        }
+        let not_run = plan.left_out.iter().filter(|left_out| left_out.source != ErrorSource::Mesh);
+        self.others.extend(not_run.map(left_out));
+        Ok(None)
     }
 
     /// Runs a mesh, unless it has come to its end before; how it was stopped, if it was.
     fn examine(&mut self, step: i32, mesh: Variation) -> Result<Option<End>, RunError> {
-        let resumes = matches!(self.options.start, Start::Resume | Start::AutoResume);
-        if !(resumes && has_ended(&mesh, self.options)?) {
-            let label = format!("mesh {}, {}", self.meshes.len() + 1, mesh.what);
-            if let Some(stopped) = run_variation(&mesh, label, self.options)? {
-                return Ok(Some(stopped));
-            }
+        let label = format!("mesh {}, {}", self.meshes.len() + 1, mesh.what);
+        if let Some(stopped) = self.run(&mesh, label)? {
+            return Ok(Some(stopped));
         }
         let Some((wall_s, summary)) = finished(self.options.folder, &mesh.name)? else { return Ok(None) };
         self.spent += wall_s;
@@ -160,7 +217,7 @@ impl Search<'_> {
             time_factor: 1.0,
             ..VariationResult::default()
         };
-        self.meshes.iter().map(result).collect()
+        self.meshes.iter().map(result).chain(self.others.iter().cloned()).collect()
     }
 
     /// The cells of the answer: those that were chosen before the run was stopped, or the widest that promise
@@ -230,7 +287,7 @@ impl Search<'_> {
             let ratio = 2_f64.powf(0.25 * f64::from(step - finest));
             let bodies = confidence.iter().flat_map(|confidence| confidence.bodies.values());
             let mut figures = bodies.flat_map(|body| &body.figures);
-            figures.all(|(key, figure)| match (self.wanted.of(key), figure.predicted(ratio)) {
+            figures.all(|(key, figure)| match (self.accuracy.wanted.of(key), figure.predicted(ratio)) {
                 (Some(wanted), Some(predicted)) => predicted <= wanted,
                 _ => true,
             })
@@ -254,19 +311,11 @@ impl Search<'_> {
             }
             Err(other) => return Err(other),
         };
-        let budget_s = self.rate.map(|rate| self.budget.seconds(rate * work(self.case)));
+        let Accuracy { wanted, budget, .. } = self.accuracy;
+        let budget_s = self.rate.map(|rate| budget.seconds(rate * work(self.case)));
         let spent_s = self.spent + summary.wall_s;
-        let confidence =
-            Confidence { budget_s, spent_s, wanted: self.wanted.clone(), ..Confidence::default() };
-        let not_asked_for = |source: ErrorSource| VariationResult {
-            name: format!("other_{}", source.word()),
-            source,
-            status: Status::NotAskedFor,
-            ..VariationResult::default()
-        };
-        let others = [ErrorSource::Domain, ErrorSource::Speed, ErrorSource::Precision].map(not_asked_for);
-        let results = [self.results(), others.into()].concat();
-        let summary = add_confidence(options.folder, confidence, &results)?;
+        let confidence = Confidence { budget_s, spent_s, wanted: wanted.clone(), ..Confidence::default() };
+        let summary = add_confidence(options.folder, confidence, &self.results())?;
         let lines = [confidence_lines(&summary), self.reached(&summary), verdict(&summary)].concat();
         progress::tell(&lines.join("\n"), options.quiet);
         Ok(End::Finished(Box::new(summary)))
@@ -278,7 +327,8 @@ impl Search<'_> {
         let Some(confidence) = &summary.confidence else { return lines };
         for (name, body) in &confidence.bodies {
             for (key, figure) in &body.figures {
-                let (Some(wanted), Some(half)) = (self.wanted.of(key), figure.relative_half_width) else {
+                let (Some(wanted), Some(half)) = (self.accuracy.wanted.of(key), figure.relative_half_width)
+                else {
                     continue;
                 };
                 let figure_name =

@@ -109,7 +109,8 @@ fn own_run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     run_locked(case, options, &Part { label: "the case itself".to_owned(), ..Part::default() })
 }
 
-fn left_out(left_out: &LeftOut) -> VariationResult {
+/// What is said of a variation that is not run.
+pub(super) fn left_out(left_out: &LeftOut) -> VariationResult {
     VariationResult {
         name: left_out.name.clone(),
         source: left_out.source,

@@ -25,7 +25,7 @@ use solver::precision::Precision;
 use std::path::Path;
 use std::time::Instant;
 
-pub use accuracy::run_accuracy;
+pub use accuracy::{Accuracy, run_accuracy};
 pub use confidence::{Budget, Request, relative_cost, run_confidence};
 pub use options::{End, Follower, NoFollower, RunError, RunOptions, Start, alone};
 use part::Part;

@@ -105,6 +105,7 @@ def run(
         meshes: run the case on so many meshes, to get intervals.
         confidence: run variations of the case as well, to get one 90 % interval for each force and sinkage.
         accuracy: choose the cells, so that the 90 % intervals become as narrow as wanted: ``"5 %"``, or ``"drag 5 %, sinkage 8 %"``.
+            The effects of the domain and of the speed are examined on coarse cells.
         budget: how long the variations, or all runs with ``accuracy``, may take together: ``"20 min"``, or ``"4x"`` the run itself.
         without: what the intervals leave out: ``"domain"``, ``"speed"``, ``"mesh"``, ``"precision"``.
         on_sample: called in this thread with every :class:`Sample` of the case's run, in order, while the solver waits; not with
@@ -124,8 +125,8 @@ def run(
         raise ValueError("on_sample follows one run: it does not go with meshes, confidence or accuracy")
     if accuracy is not None and (meshes is not None or confidence):
         raise ValueError("accuracy chooses its own meshes: it does not go with meshes or confidence")
-    if budget is not None and not confidence and accuracy is None or without and not confidence:
-        raise ValueError("budget belongs to confidence=True or accuracy, without to confidence=True")
+    if (budget is not None or without) and not confidence and accuracy is None:
+        raise ValueError("budget and without belong to confidence=True or accuracy")
     call = {
         "source": source_of(case),
         "set": assignments(set),

@@ -159,8 +159,8 @@ impl OwnBody<'_> {
             }
             ErrorSource::Mesh => self.of_mesh(quantity, varied, (examined, scale)),
             ErrorSource::Domain | ErrorSource::Speed | ErrorSource::Precision => {
-                let change = |varied: &VariedBody| {
-                    Some(quantity.mean(varied.steady.as_ref()?)? - quantity.mean(&self.window.steady)?)
+                let change = |run: &VariedBody| {
+                    Some(quantity.mean(run.steady.as_ref()?)? - quantity.mean(self.base_of(run, varied))?)
                 };
                 let of_source: Vec<&VariedBody> =
                     varied.iter().filter(|v| v.result.source == source).collect();
@@ -175,6 +175,13 @@ impl OwnBody<'_> {
                 Contribution { change: Some(change), below, above, ..examined }
             }
         }
+    }
+
+    /// The means from which those of a variation differ: of the one beside which it was run, or of the case's
+    /// own run.
+    fn base_of<'a>(&'a self, run: &VariedBody, varied: &'a [VariedBody]) -> &'a Steady {
+        let base = varied.iter().find(|other| run.result.beside.as_ref() == Some(&other.result.name));
+        base.and_then(|base| base.steady.as_ref()).unwrap_or(&self.window.steady)
     }
 
     /// What infinitely small cells would give, from as many meshes as there are.
@@ -324,6 +331,22 @@ mod tests {
         assert!(figure.is_complete && figure.dominated_by == Some(ErrorSource::Mesh));
         assert!(figure.interval[0] < 90.0 && figure.interval[1] > 100.0);
         assert!(body.force_change.unwrap() < 1e-9);
+    }
+
+    #[test]
+    fn a_variation_of_another_mesh_differs_from_that() {
+        let beside = VariationResult {
+            beside: Some("coarser".into()),
+            ..result("larger_domain", ErrorSource::Domain, 0.15)
+        };
+        let runs = [
+            (result("coarser", ErrorSource::Mesh, 0.15), Some(pressed(1.0, 105.0, 0.0))),
+            (beside, Some(pressed(1.0, 104.0, 0.0))),
+        ];
+        let body = study(&pressed(1.0, 100.0, 0.0), &runs);
+        let parts = &body.figures["vertical_N"].contributions;
+        let domain = parts.iter().find(|part| part.source == ErrorSource::Domain).unwrap();
+        assert!((domain.change.unwrap() + 1.0).abs() < 1e-9, "{domain:?}");
     }
 
     #[test]

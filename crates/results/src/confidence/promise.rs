@@ -27,14 +27,22 @@ impl ConfidenceInterval {
     #[must_use]
     pub fn what_helps(&self, wanted: f64) -> String {
         let without_cells = self.predicted(0.1).unwrap_or(f64::INFINITY);
-        let is_statistics = self.dominated_by == Some(ErrorSource::Statistics);
         if without_cells > wanted {
-            return if is_statistics {
-                "the mean over the window scatters; a longer run narrows that".to_owned()
-            } else {
-                "figures scatter from mesh to mesh by more than that; a longer run averages over more of it"
-                    .to_owned()
+            let why = match self.dominated_by {
+                Some(ErrorSource::Statistics) => {
+                    "the mean over the window scatters; a longer run narrows that"
+                }
+                Some(ErrorSource::Domain) => {
+                    "the faces of the domain have an effect; a larger domain narrows that, --without domain leaves out real walls"
+                }
+                Some(ErrorSource::Speed) => {
+                    "the speed has an effect; a slower motion narrows that, --without speed leaves out one that is meant"
+                }
+                _ => {
+                    "figures scatter from mesh to mesh by more than that; a longer run averages over more of it"
+                }
             };
+            return why.to_owned();
         }
         let enough = (1..=40)
             .map(|n| 0.95_f64.powi(n))
