@@ -50,22 +50,24 @@ def row(coulter, machine, command):
         "machine": machine,
         "date": datetime.date.today().isoformat(),
         "command": command,
-        "cells": round(of("filled_cells"), -2),
+        "cells": round(of("filled_cells") / 100) * 100,
         "yielding": round(of("yielding"), 2),
         "speed": round(of("million_cell_steps_per_core_second"), 1),
         "two_threads": round(of("speed_up"), 2) if "--threads" not in command else "",
-        "multiply_add": round(of("fma_GFLOP_per_s"), 0),
-        "bytes_per_cell": round(of("bytes_per_cell"), 0),
+        "multiply_add": round(of("fma_GFLOP_per_s")),
+        "bytes_per_cell": round(of("bytes_per_cell")),
     }
 
 
 def drawn(rows):
-    line = "| {machine}, {date} | `{command}` | {cells:.0f} | {yields:.0f} % | {speed} | {ratio:.0f} | {two_threads} | \
+    line = "| {machine}, {date} | `{command}` | {cells:.0f} | {yields:.0f} % | {speed} | {ratio} | {two_threads} | \
 {bytes_per_cell} |\n"
     text = HEADER
     for row in rows:
         numbers = {"cells": float(row["cells"]), "yields": 100 * float(row["yielding"])}
-        ratio = 1000 * float(row["speed"]) / float(row["multiply_add"])
+        # Of rows that were measured before this script, not all is known.
+        known = row["multiply_add"] != ""
+        ratio = f"{1000 * float(row['speed']) / float(row['multiply_add']):.0f}" if known else ""
         text += line.format(**{**row, **numbers}, ratio=ratio)
     return text
 

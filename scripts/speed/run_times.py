@@ -31,7 +31,7 @@ def taken(coulter, case):
         run = subprocess.run([coulter, "run", case, "--output", folder + "/run"], capture_output=True, text=True)
         seconds, after = time.monotonic() - began, os.times()
     processor = sum(after[2:4]) - sum(before[2:4])
-    grade = [line.split(": ")[1] for line in run.stdout.splitlines() if line.startswith("trust: ")]
+    grade = [line.split(": ")[1] for line in run.stderr.splitlines() if line.startswith("trust: ")]
     return seconds, processor, (grade or [f"exit code {run.returncode}"])[0]
 
 

@@ -1,6 +1,5 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
-use super::cores;
 use super::model::model;
 use super::output_size::{self, OutputSize};
 use super::path::travel;
@@ -140,7 +139,7 @@ fn moved(body: &Body, duration: f64) -> DVec3 {
 }
 
 fn footprint(case: &Case) -> Footprint {
-    let threads = cores::threads(case.numerics.threads);
+    let threads = machine::cores::threads(case.numerics.threads);
     let moved: Vec<DVec3> = case.bodies.iter().map(|body| moved(body, case.duration)).collect();
     match case.numerics.precision {
         Precision::Double => footprint::footprint::<f64>(&model(case, f64::LANES), threads, &moved),

@@ -9,7 +9,6 @@ mod body;
 mod clearance;
 pub mod closed_box;
 mod context;
-pub mod cores;
 pub mod documentation;
 mod domain;
 mod edge_inset;
@@ -26,7 +25,6 @@ mod key;
 pub mod keys;
 mod layer;
 mod load;
-pub mod machine;
 mod measured;
 pub mod meshes;
 pub mod model;
@@ -71,6 +69,7 @@ pub use input::{CaseError, FileProblem, LocatedProblem, Problem, mesh_file, quan
 pub use load::{
     from_json, load, load_for_forecast, load_soil, parse, parse_for_forecast, parse_soil, require_valid, text,
 };
+pub use machine::{self, cores};
 pub use overrides::{overridden, with_files};
 pub use resolved::{Case, case_text, case_text_with_forecast};
 pub use told::{ToldMotion, told_of_body, told_of_stage};

@@ -51,7 +51,7 @@ pub struct Numerics {
     pub edge_inset: f64,
     /// Spacing of contact points, in cell widths.
     pub point_spacing: f64,
-    /// Threads of each process; 0 for as many as [`super::cores::threads_by_default`].
+    /// Threads of each process; 0 for as many as [`machine::cores::threads_by_default`].
     pub threads: usize,
     /// Precision of the soil's fields.
     pub precision: Precision,

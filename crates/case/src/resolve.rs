@@ -4,6 +4,7 @@
 
 use super::body::{self, Body, Others};
 use super::context::Context;
+use super::grid::Cells;
 use super::joint::{self, Joint};
 use super::key::{all, checked, missing, range};
 use super::layer::Layer;
@@ -113,22 +114,18 @@ struct About<'a> {
     relief: Option<&'a Relief>,
 }
 
-/// Size and shape of the cells [m]: as typed, or such that they resolve the bodies, which are read for it on
-/// cells of any size first.
-fn cells(
-    schema: &Schema,
-    about: About,
-    soil: Option<&Soil>,
-    problems: &mut Problems,
-) -> Option<(f64, DVec3)> {
+/// The cells: as typed, or such that they resolve the bodies, which are read for it on cells of any size
+/// first.
+fn cells(schema: &Schema, about: About, soil: Option<&Soil>, problems: &mut Problems) -> Option<Cells> {
     const ANY: f64 = 1e-3;
-    let (cell, aspect) = grid::cells(&schema.grid, problems)?;
-    if let Some(cell) = cell {
-        return Some((cell, aspect.unwrap_or(DVec3::ONE)));
+    let (size, aspect) = grid::cells(&schema.grid, problems)?;
+    let of_size = |size: f64| Cells { size, aspect: aspect.unwrap_or(DVec3::ONE) };
+    if size.is_some() {
+        return size.map(of_size);
     }
     let mut found = Problems::without_resolution();
     let mut on_any = || {
-        let mut context = context(schema, about, (ANY, aspect.unwrap_or(DVec3::ONE)), &mut found)?;
+        let mut context = context(schema, about, of_size(ANY), &mut found)?;
         soil_bodies(schema, &mut context, &mut found)?;
         let (bodies, _, stages) = parts(schema, &context, &mut found)?;
         let duration = duration(schema, &bodies, Some(&stages), &mut found)?;
@@ -145,13 +142,9 @@ fn cells(
     Some(cells)
 }
 
-fn context(
-    schema: &Schema,
-    about: About,
-    (cell, aspect): (f64, DVec3),
-    problems: &mut Problems,
-) -> Option<Context> {
+fn context(schema: &Schema, about: About, cells: Cells, problems: &mut Problems) -> Option<Context> {
     let About { gravity, water, law, relief } = about;
+    let Cells { size: cell, aspect } = cells;
     let surface = schema.ground.number("surface");
     let [symmetric, symmetric_x, plane_strain] =
         ["symmetric", "symmetric_x", "plane_strain"].map(|key| schema.domain.flag(key).unwrap_or_default());

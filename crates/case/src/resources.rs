@@ -1,7 +1,7 @@
 //! Warnings, before a run begins, that memory or disk space may not suffice.
 
 use super::estimate::Cost;
-use super::machine::{free_space, memory_left};
+use machine::{free_space, memory_left};
 use std::path::Path;
 
 /// Fraction of the free memory or disk space above which there is a warning.

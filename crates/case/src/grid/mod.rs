@@ -36,6 +36,15 @@ pub struct Grid {
     pub faces: [Vec<f64>; 3],
 }
 
+/// Size and shape of the cells in the fine zone.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cells {
+    /// The smallest width [m].
+    pub(crate) size: f64,
+    /// Widths along x, y, z over it.
+    pub(crate) aspect: DVec3,
+}
+
 impl Grid {
     /// Widths along x, y, z of the cells in the fine zone [m].
     #[must_use]

@@ -1,6 +1,7 @@
 //! The cells of a case that does not say how large they are: as many across each body, over its sinkage and
 //! over its contact as a run needs to end good.
 
+use super::Cells;
 use crate::body::Body;
 use crate::clearance::{SoilConditions, deepest};
 use crate::context::Context;
@@ -26,7 +27,7 @@ const FLATTEST: f64 = 2.0;
 /// Lengths to which a width is rounded down, over powers of ten.
 const ROUND: [f64; 15] = [1.0, 1.2, 1.5, 1.8, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.5, 9.0, 10.0];
 
-/// Size and shape of the cells for these bodies, and a sentence that says why; `None` without a body that
+/// The cells for these bodies, and a sentence that says why; `None` without a body that
 /// could touch the soil. The shape is the one given, if there is one.
 pub(crate) fn usual(
     bodies: &[Body],
@@ -34,7 +35,7 @@ pub(crate) fn usual(
     soil: &Soil,
     context: &Context,
     duration: f64,
-) -> Option<((f64, DVec3), String)> {
+) -> Option<(Cells, String)> {
     let bodies: Vec<_> = bodies.iter().flat_map(Body::surfaces).filter(Body::has_surface).collect();
     let needed = bodies.iter().map(|body| widest(body, soil, context, duration)).reduce(DVec3::min)?;
     let thinnest = bodies.iter().map(size).reduce(DVec3::min)?;
@@ -46,7 +47,7 @@ pub(crate) fn usual(
     let [x, y, z] = (cell * aspect * 1e3).to_array().map(|width| format!("{}", (width * 1e6).round() / 1e6));
     let why =
         format!("grid.cell is not given: cells of {x} × {y} × {z} mm, for the bodies and their sinkage");
-    (cell.is_finite() && cell > 0.0).then_some(((cell, aspect), why))
+    (cell.is_finite() && cell > 0.0).then_some((Cells { size: cell, aspect }, why))
 }
 
 /// Lengths of a body along x, y, z, of a dished disc its thickness across [m].

@@ -2,7 +2,6 @@
 
 use crate::estimate::{self, Estimate};
 use crate::keys;
-use crate::machine;
 use crate::resolved::Case;
 use crate::resources::format_bytes;
 use input::problem::Problems;

@@ -42,10 +42,11 @@ pub struct Accuracy {
 /// wanted.
 ///
 /// Meshes from cells twice as wide on are run as variations, each finer by a factor of 1.19, until three are
-/// not broken. On the finest of these the effects of the domain and of the speed are examined, which are taken
-/// for those on the cells of the answer. Trends, scatter and statistics tell the widest cells on which the wanted half-widths are
-/// to be expected; the case is run on these, or on the finest that the budget allows, and its results with
-/// the intervals from all meshes are those of the folder. A coarse mesh that breaks is passed over.
+/// not broken. On the finest of these the effects of the domain and of the speed are examined, which are
+/// taken for those on the cells of the answer. Trends, scatter and statistics tell the widest cells on which
+/// the wanted half-widths are to be expected; the case is run on these, or on the finest that the budget
+/// allows, and its results with the intervals from all meshes are those of the folder. A coarse mesh that
+/// breaks is passed over.
 ///
 /// # Errors
 /// As [`super::run`]; [`RunError::Physics`] where the run on the cells that were chosen breaks down.

@@ -90,7 +90,8 @@ pub struct VariationResult {
     pub width_m: f64,
     /// How much longer everything takes that the case prescribes.
     pub time_factor: f64,
-    /// Name of the variation from which it differs, on whose cells it is; `null` where that is the case itself.
+    /// Name of the variation from which it differs, on whose cells it is; `null` where that is the case
+    /// itself.
     pub beside: Option<String>,
     /// Grade of its run.
     pub verdict: Option<Verdict>,
