@@ -221,11 +221,16 @@ fn relative_displacement(body: &Body, soil: &SoilConditions, duration: f64) -> D
     displacement(body, duration) - duration * soil.velocity
 }
 
+/// Length of the contact of what rolls in a diameter at a sinkage [m].
+pub(crate) fn chord(diameter: f64, sinkage: f64) -> f64 {
+    let depth = sinkage.min(0.5 * diameter);
+    2.0 * (depth * (diameter - depth)).sqrt()
+}
+
 /// The smaller width of the contact area with the soil [m].
 fn breadth(body: &Body, soil: &SoilConditions, depth: f64) -> f64 {
     let size = body.size();
-    let chord = |d: f64| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt();
-    let along = body.rolling_diameter().map_or(size.x, chord);
+    let along = body.rolling_diameter().map_or(size.x, |diameter| chord(diameter, depth));
     if soil.plane_strain { along } else { along.min(size.y) }
 }
 
