@@ -20,8 +20,9 @@ ENOUGH = 0.9
 
 
 def said(coulter, case):
+    """Seconds; 0 where the trial steps failed."""
     checked = subprocess.run([coulter, "check", case, "--json"], capture_output=True, text=True, check=True)
-    return json.loads(checked.stdout)["estimated_wall_s"]
+    return json.loads(checked.stdout)["estimated_wall_s"] or 0.0
 
 
 def taken(coulter, case):

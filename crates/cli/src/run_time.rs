@@ -1,13 +1,15 @@
 //! Estimates the run time of a case on this machine, from trial steps on a small region of it.
 
-use coulter::case::estimate::{Cost, Estimate, most_contact_points};
+use coulter::case::estimate::{Cost, Estimate, estimate, most_contact_points};
 use coulter::case::resolved::{Case, Ground, Precision};
 use coulter::simulation::Simulation;
 use glam::DVec3;
 use std::time::Duration;
 
+/// Most cells of a case that is tried as a whole, which takes little time; of a larger one it is a region.
+const MOST_CELLS: f64 = 2e5;
 /// Cells along each axis of the trial region.
-const MAX_CELLS: usize = 40;
+const MAX_CELLS: usize = 56;
 /// Number and duration of the trials, of which the median counts; in processor time, so that other programs
 /// do not matter much.
 const TRIALS: usize = 9;
@@ -24,7 +26,7 @@ const EFFICIENCY: f64 = 0.9;
 const WRITING: [f64; 2] = [0.6, 1.3e-6];
 
 /// Wall-clock time of a run of the case on this machine [s]; `None` if the first step fails.
-pub(super) fn estimate(case: &Case, cost: &Cost) -> Option<f64> {
+pub(super) fn run_time(case: &Case, cost: &Cost) -> Option<f64> {
     let Estimate { cells, filled_cells, steps, .. } = cost.estimate;
     let writing = WRITING[0] + WRITING[1] * cells * cost.output.frames;
     // Where there is next to no soil there is nothing to measure.
@@ -32,9 +34,10 @@ pub(super) fn estimate(case: &Case, cost: &Cost) -> Option<f64> {
     Some(writing + steps * filled_cells * LATER_STEPS / rate).filter(|seconds| seconds.is_finite())
 }
 
-/// Cell-steps per second over the cells with soil, from the first steps of a region of the case.
+/// Cell-steps per second over the cells with soil, from the first steps of the case or of a region of it.
 fn measured(case: &Case) -> Option<f64> {
-    let mut region = around_the_first_body(case);
+    let is_small = estimate(case).cells <= MOST_CELLS;
+    let mut region = if is_small { case.clone() } else { around_the_first_body(case) };
     // Points are laid out on the whole body, however small the region: of a large one fewer.
     let points = most_contact_points(&region).map_or(0.0, |(_, points)| points);
     region.numerics.point_spacing *= (points / MOST_POINTS).sqrt().max(1.0);

@@ -475,8 +475,11 @@ impl<R: Precision> Simulation<R> {
         let clock = std::time::Instant::now();
         let (processor, mut steps) = (ProcessTime::now(), 0_u32);
         while clock.elapsed() < while_ {
-            step(&self.model, &mut self.state, &mut self.workspace).ok()?;
-            steps += 1;
+            match step(&self.model, &mut self.state, &mut self.workspace) {
+                // Of a region of a case the body may reach out of the box from the start.
+                Ok(_) | Err(Breakdown::LeftTheBox { .. }) => steps += 1,
+                Err(_) => return None,
+            }
         }
         let used = processor.elapsed().as_secs_f64();
         (used > 0.0).then(|| filled as f64 * f64::from(steps) / used)
