@@ -20,6 +20,7 @@ use studies::sweep::pool::Watcher;
 #[derive(Debug, Deserialize)]
 struct SweepCall {
     study: PathBuf,
+    quick: bool,
     output: Option<PathBuf>,
     workers: Option<i64>,
     threads: Option<i64>,
@@ -66,9 +67,9 @@ pub(crate) fn sweep(
     call: &str,
     on_case: Option<Bound<'_, PyAny>>,
 ) -> PyResult<(PathBuf, String)> {
-    let SweepCall { study, output, workers, threads } = request(call)?;
+    let SweepCall { study, quick, output, workers, threads } = request(call)?;
     let (workers, threads) = (count("workers", workers)?, count("threads", threads)?);
-    let wanted = SweepRequest { study, output, workers, threads };
+    let wanted = SweepRequest { study, quick, output, workers, threads };
     let interrupts = Interrupts::default();
     let is_followed = on_case.is_some();
     let swept = attend(

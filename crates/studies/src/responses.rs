@@ -18,6 +18,9 @@ pub struct Figures {
     pub recommended: bool,
     /// Grade of a run: `good` or `doubtful`.
     pub grade: Option<String>,
+    /// Intervals (5 to 95 %) of responses, in their units, by name.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "of_known")]
+    pub intervals: BTreeMap<&'static str, [f64; 2]>,
     /// The responses that it says, in their units, by name.
     #[serde(flatten, serialize_with = "with_units", deserialize_with = "without_units")]
     pub responses: BTreeMap<&'static str, f64>,
@@ -38,7 +41,34 @@ fn without_units<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<&'static
     responses().into_iter().filter_map(value).collect()
 }
 
+/// Intervals of responses that are known.
+fn of_known<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<&'static str, [f64; 2]>, D::Error> {
+    let mut found = BTreeMap::<String, [f64; 2]>::deserialize(from)?;
+    let known = names().filter_map(|name| Some((name, found.remove(name)?)));
+    Ok(known.collect())
+}
+
+/// Dimensionless groups, each of the response of which it is a multiple.
+pub(crate) const GROUPS: [[&str; 2]; 3] = [["F_H_bar", "drag"], ["F_V_bar", "vertical"], ["Z", "sinkage"]];
+
 impl Figures {
+    /// Says the interval of a response by its key with the unit, such as `drag_N`, and that of the
+    /// dimensionless group which is a multiple of it.
+    pub(crate) fn say_interval(&mut self, with_unit: &str, interval: [f64; 2]) {
+        let all = responses();
+        let Some(of) = all.iter().find(|response| key(response.name, response.unit) == with_unit) else {
+            return;
+        };
+        self.intervals.insert(of.name, interval);
+        for [group, _] in GROUPS.iter().filter(|[_, multiple]| *multiple == of.name) {
+            if let (Some(value), Some(part)) = (self.get(of.name), self.get(group))
+                && value != 0.0
+            {
+                self.intervals.insert(group, interval.map(|end| end * part / value));
+            }
+        }
+    }
+
     /// A response by its name, in its unit; `None` where the model does not say it.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<f64> {

@@ -5,8 +5,41 @@ use coulter::case::CaseError;
 use std::path::Path;
 use studies::study::{Study, read};
 use studies::sweep::expand::expand;
+use studies::sweep::line::CaseLine;
 
 const CASE: &str = include_str!("../../../cases/light_disc.toml");
+
+const SAND: &str = include_str!("../../../cases/towed_disc.toml");
+
+/// Parts with a case of their own, and a quick version.
+const VERSIONS: &str = r#"format = 2
+case = "disc.toml"
+models = ["closed-form", "solver"]
+set = { "soil.friction_angle" = "33 deg" }
+
+[factor.weight]
+key = "body.disc.weight"
+values = ["20 N", "40 N", "80 N"]
+quick = ["30 N"]
+
+[factor.cells]
+values = [20]
+quick = [10]
+
+[part.textbook]
+factors = ["weight"]
+intervals = true
+derived = { "grid.cell" = "body.disc.diameter / cells" }
+
+[part.sand]
+case = "sand.toml"
+factors = ["weight"]
+quick = false
+
+[part.alone]
+case = "sand.toml"
+factors = []
+"#;
 
 const STUDY: &str = r#"format = 2
 case = "disc.toml"
@@ -46,11 +79,16 @@ part = "grid"
 "#;
 
 fn study(text: &str) -> Result<Study, CaseError> {
+    version(text, false)
+}
+
+fn version(text: &str, quick: bool) -> Result<Study, CaseError> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("disc.toml"), CASE).unwrap();
+    std::fs::write(folder.path().join("sand.toml"), SAND).unwrap();
     let path = folder.path().join("study.toml");
     std::fs::write(&path, text).unwrap();
-    read(&path)
+    read(&path, quick)
 }
 
 #[test]
@@ -75,7 +113,7 @@ fn a_study_is_expanded() {
     let weights: Vec<f64> = lines[..6].iter().map(|line| line.factors[1].number.unwrap()).collect();
     assert_eq!(weights, [20.0, 20.0, 60.0, 60.0, 100.0, 100.0]);
     assert!(lines[0].set.contains(&"body.disc.thickness=\"0.05 m\"".to_owned()), "{:?}", lines[0].set);
-    let inside = |line: &&studies::sweep::line::CaseLine| {
+    let inside = |line: &&CaseLine| {
         let [phi, weight, t_bar] = [0, 1, 2].map(|n| line.factors[n].number.unwrap());
         (30.0..=40.0).contains(&phi) && (20.0..=100.0).contains(&weight) && (0.2..=0.6).contains(&t_bar)
     };
@@ -84,6 +122,41 @@ fn a_study_is_expanded() {
     ids.sort_unstable();
     ids.dedup();
     assert_eq!(ids.len(), lines.len());
+}
+
+#[test]
+fn parts_vary_cases_of_their_own_and_a_quick_version_less() {
+    let [full, quick] =
+        [false, true].map(|quick| version(VERSIONS, quick).map(|study| expand(&study).unwrap()).unwrap());
+    let parts = |lines: &[CaseLine]| lines.iter().map(|line| line.part.clone()).collect::<Vec<_>>();
+    assert_eq!(full.len(), 2 * (3 + 3 + 1), "{:?}", parts(&full));
+    assert_eq!(parts(&quick), ["textbook", "textbook", "alone", "alone"]);
+    assert!(full.iter().chain(&quick).all(|line| line.refused.is_empty()), "{full:?}");
+    // What the top sets belongs to its case, and a factor is where it is varied or used.
+    assert_eq!([full[0].case, full[6].case, full[12].case], [0, 1, 1]);
+    assert_eq!(full[0].set[0], "soil.friction_angle=\"33 deg\"");
+    assert!(full[6..].iter().all(|line| !line.set.iter().any(|set| set.contains("friction_angle"))));
+    let factors = |line: &CaseLine| {
+        let named = line.factors.iter().map(|level| (level.name.clone(), level.is_varied));
+        named.collect::<Vec<_>>()
+    };
+    assert_eq!(factors(&full[0]), [("weight".to_owned(), true), ("cells".to_owned(), false)]);
+    assert_eq!(factors(&full[12]), [("weight".to_owned(), false)]);
+    assert!(quick[0].set.contains(&"body.disc.weight=\"30 N\"".to_owned()), "{:?}", quick[0].set);
+    assert!(quick[0].set.iter().any(|set| set.starts_with("grid.cell=\"0.0")), "{:?}", quick[0].set);
+    // With and without intervals are two cases.
+    let without = expand(&study(&VERSIONS.replace("intervals = true\n", "")).unwrap()).unwrap();
+    assert!(full[..6].iter().zip(&without).all(|(a, b)| a.id != b.id && b.meshes.is_none()));
+    assert!(full[6..].iter().zip(&without[6..]).all(|(a, b)| a.id == b.id));
+    assert_eq!(full[0].meshes, Some(3));
+}
+
+#[test]
+fn a_part_without_its_case_says_where() {
+    let error = version(&VERSIONS.replace("\"sand.toml\"", "\"sant.toml\""), false).unwrap_err();
+    let problem = &error.problems[0];
+    assert!(problem.message.contains("sant.toml") && problem.cure.contains("relative"), "{problem:?}");
+    assert_eq!(error.problems.len(), 1);
 }
 
 #[test]
@@ -186,7 +259,7 @@ fn a_study_that_varies_nothing_or_is_empty_is_refused() {
     let error = study("").unwrap_err();
     assert!(error.problems.iter().any(|p| p.message.contains("`case` is missing")), "{error:?}");
     assert!(study("case = [").is_err());
-    assert!(read(Path::new("/no/such/study.toml")).is_err());
+    assert!(read(Path::new("/no/such/study.toml"), true).is_err());
 }
 
 #[test]

@@ -15,8 +15,8 @@ pub(super) struct Expanded {
     pub(super) lines: Vec<CaseLine>,
 }
 
-/// Reads a study file, expands it, and writes its folder.
-pub(super) fn expanded(path: &Path, output: Option<&Path>) -> Result<Expanded, Failure> {
+/// Reads a study file, or the quick version that it describes, expands it, and writes its folder.
+pub(super) fn expanded(path: &Path, quick: bool, output: Option<&Path>) -> Result<Expanded, Failure> {
     if path.is_dir() {
         let shown = path.display();
         return Err(Failure::Request(format!(
@@ -24,8 +24,9 @@ pub(super) fn expanded(path: &Path, output: Option<&Path>) -> Result<Expanded, F
         )));
     }
     let text = case::text(path)?;
-    let study = study::read(path)?;
-    let folder = output.map_or_else(|| usual(&study.name), Path::to_path_buf);
+    let study = study::read(path, quick)?;
+    let name = if quick { format!("{}_quick", study.name) } else { study.name.clone() };
+    let folder = output.map_or_else(|| usual(&name), Path::to_path_buf);
     crate::common::refuse_file(&folder)?;
     let lines = expand(&study)?;
     let valid = lines.iter().filter(|line| line.refused.is_empty()).count();
@@ -56,8 +57,8 @@ pub(super) fn opened(path: &Path) -> Result<Store, Failure> {
 
 /// A study as it was when it was expanded, with its cases.
 pub(super) fn read(store: Store) -> Result<Expanded, Failure> {
-    let (text, origin) = store.case().map_err(refused)?;
-    let study = study::read_expanded(&store.study_file(), &origin.study, (&text, &origin.case))?;
+    let origin = store.origin().map_err(refused)?;
+    let study = study::read_expanded(&store.study_file(), (&origin.study, origin.quick), origin.cases)?;
     let lines = store.lines().map_err(refused)?;
     Ok(Expanded { study, store, lines })
 }

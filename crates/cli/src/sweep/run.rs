@@ -88,6 +88,6 @@ pub(super) fn pooled(shared: &Shared, lines: &[CaseLine], pool: &Pool, quiet: bo
 
 /// What all cases of a study on this machine share.
 pub(super) fn shared(store: &Store, threads: usize, interrupts: Interrupts) -> Result<Shared, Failure> {
-    let (text, origin) = store.case().map_err(refused)?;
-    Ok(Shared { store: store.clone(), text, path: origin.case, threads, interrupts })
+    let cases = store.origin().map_err(refused)?.cases;
+    Ok(Shared { store: store.clone(), cases, threads, interrupts })
 }

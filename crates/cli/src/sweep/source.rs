@@ -10,7 +10,10 @@ pub(super) struct Source {
     /// The study file
     #[arg(value_name = "STUDY.toml", required = true)]
     pub(super) study: Option<PathBuf>,
-    /// Folder of the study [default: results/NAME]
+    /// The quick version: fewer levels, cheaper runs, as the study file says
+    #[arg(long)]
+    pub(super) quick: bool,
+    /// Folder of the study [default: results/NAME, of the quick version results/NAME_quick]
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
 }
@@ -18,6 +21,6 @@ pub(super) struct Source {
 impl Source {
     /// The study, read, expanded and written into its folder.
     pub(super) fn expanded(&self) -> Result<Expanded, Failure> {
-        expanded(&self.study.clone().unwrap_or_default(), self.output.as_deref())
+        expanded(&self.study.clone().unwrap_or_default(), self.quick, self.output.as_deref())
     }
 }

@@ -16,7 +16,9 @@ use studies::sweep::report;
 pub struct SweepRequest {
     /// The study file.
     pub study: PathBuf,
-    /// Folder of the study; by default `results/NAME`.
+    /// The quick version: fewer levels, cheaper runs, as the study file says.
+    pub quick: bool,
+    /// Folder of the study; by default `results/NAME`, of the quick version `results/NAME_quick`.
     pub output: Option<PathBuf>,
     /// Cases that run at the same time; by default those of the study, or as many as cores and memory allow.
     pub workers: Option<u16>,
@@ -45,7 +47,7 @@ pub fn sweep_study(
 ) -> Result<SweptStudy, Failure> {
     require_range("workers", request.workers, WORKERS)?;
     require_range("threads", request.threads, STUDY_THREADS)?;
-    let expanded = expanded(&request.study, request.output.as_deref())?;
+    let expanded = expanded(&request.study, request.quick, request.output.as_deref())?;
     let pool = pool_of(&expanded.study, request.workers, request.threads);
     let shared = shared(&expanded.store, pool.threads, interrupts.clone())?;
     if let Some(signal) = pool::run(&shared, &expanded.lines, &pool, watcher).stopped {

@@ -147,8 +147,8 @@ pub(super) fn told(line: &CaseLine, outcome: &Result<Outcome, Unended>) -> Strin
     let part = if line.part.is_empty() { String::new() } else { format!(" of {}", line.part) };
     // A level that a range was cut into has more digits than anybody reads.
     let shown = |text: &str| text.parse().map_or(text.to_owned(), short);
-    let levels: String =
-        line.factors.iter().map(|level| format!(", {} = {}", level.name, shown(&level.shown))).collect();
+    let varied = line.factors.iter().filter(|level| level.is_varied);
+    let levels: String = varied.map(|level| format!(", {} = {}", level.name, shown(&level.shown))).collect();
     let end = match outcome {
         Ok(outcome) if has_results(outcome) => figures(outcome),
         Ok(outcome) if outcome.ending == Ending::Done => format!("REFUSED: {}", outcome.reason),

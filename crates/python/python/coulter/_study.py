@@ -71,6 +71,7 @@ class Study:
 def sweep(
     study: str | os.PathLike[str],
     *,
+    quick: bool = False,
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     threads: int | None = None,
@@ -83,7 +84,8 @@ def sweep(
 
     Args:
         study: the study file.
-        output: folder of the study; ``results/NAME`` by default.
+        quick: the quick version that the study file describes: fewer levels, cheaper runs.
+        output: folder of the study; by default ``results/NAME``, of the quick version ``results/NAME_quick``.
         workers: cases that run at the same time; by default those of the study, or as many as cores and memory allow.
         threads: threads of each run of the solver; by default those of the study.
         on_case: called in this thread with point, id, state (``done``, ``broken``, ``refused``, ``failed``) and reason of every case
@@ -95,6 +97,7 @@ def sweep(
     """
     call = {
         "study": os.fspath(study),
+        "quick": quick,
         "output": None if output is None else os.fspath(output),
         "workers": workers,
         "threads": threads,

@@ -10,24 +10,24 @@ use coulter::case::keys::NAMED;
 
 /// Reports what is wrong with a study as a whole.
 pub(super) fn check(form: &Form, study: &Study, problems: &mut Problems) {
-    let Ok(case) = Form::read(&study.case_text, &study.case_path) else {
-        problems.add(
-            "case",
-            "the file of the case is not TOML",
-            "`coulter check` says what is wrong with it",
-        );
-        return;
-    };
-    for factor in &study.factors {
+    let mut trees = Vec::new();
+    for case in &study.cases {
+        let Ok(form) = Form::read(&case.text, &case.path) else {
+            let message = format!("the file of the case, {}, is not TOML", case.path);
+            problems.add("case", message, "`coulter check` says what is wrong with it");
+            return;
+        };
+        trees.push(form.entries);
+    }
+    for (n, factor) in study.factors.iter().enumerate() {
         let path = join("factor", &factor.name);
         match &factor.key {
-            Some(key) => has_section(key, &join(&path, "key"), &case.entries, problems),
-            None if study.parts.iter().all(|part| !is_in_formula(&factor.name, part)) => problems
-                .add_to_name(
-                    path,
-                    format!("`{}` has no key, and no formula uses it", factor.name),
-                    "add key = \"soil.friction_angle\", or use it in [derived]",
-                ),
+            Some(key) => has_section(key, &join(&path, "key"), varied_by(study, n, &trees), problems),
+            None if study.parts.iter().all(|part| !part.uses(&factor.name)) => problems.add_to_name(
+                path,
+                format!("`{}` has no key, and no formula uses it", factor.name),
+                "add key = \"soil.friction_angle\", or use it in [derived]",
+            ),
             None => {}
         }
     }
@@ -36,14 +36,16 @@ pub(super) fn check(form: &Form, study: &Study, problems: &mut Problems) {
         let given = problems.len();
         design(study, part, &path, problems);
         if problems.len() == given {
-            formulas(study, part, (form, &path, &case.entries), problems);
+            formulas(study, part, (form, &path, &trees[part.case]), problems);
         }
     }
     charts(study, problems);
 }
 
-fn is_in_formula(name: &str, part: &Part) -> bool {
-    part.derived.iter().any(|(_, formula)| formula.names().contains(&name))
+/// The entries of the case in which a factor is varied first; of one that no part varies, those of the first.
+fn varied_by<'a>(study: &Study, factor: usize, trees: &'a [Vec<Entry>]) -> &'a [Entry] {
+    let part = study.parts.iter().find(|part| part.factors.contains(&factor));
+    &trees[part.map_or(0, |part| part.case)]
 }
 
 /// Reports a key of a named section that the case does not have.
@@ -93,8 +95,9 @@ fn design(study: &Study, part: &Part, path: &str, problems: &mut Problems) {
             problems.add(at.clone(), message, "give every factor as many values, or write design = \"grid\"");
         }
     }
-    if part.factors.is_empty() {
-        problems.add(join(path, "factors"), "no factor is varied", "name one, or leave the key out for all");
+    if part.factors.is_empty() && part.design != Design::Grid {
+        let cure = "name one, leave the key out for all, or write design = \"grid\" for the case alone";
+        problems.add(join(path, "factors"), "no factor is varied", cure);
     }
     let points = count(study, part);
     if points > keys::MOST_POINTS {

@@ -53,6 +53,13 @@ const DESIGN: Key = key(
 
 const PART: &[Key] = &[
     key(
+        "case",
+        Kind::Text,
+        Derived("that at the top of the file"),
+        "The case that is varied, instead of that at the top of the file. `set` and `derived` of the top, which belong to that one, do \
+         not hold for the part then.",
+    ),
+    key(
         "models",
         Kind::Choices(&MODELS),
         Derived("`closed-form`"),
@@ -68,7 +75,22 @@ const PART: &[Key] = &[
     .within(from(2.0, MOST_POINTS)),
     key("seed", Kind::Count, Number(1.0), "Start of the random numbers of `latin-hypercube` and `sobol`.")
         .within(from(0.0, 4_294_967_295.0)),
-    key("factors", Kind::Names, Derived("all"), "Names of the factors that are varied."),
+    key(
+        "factors",
+        Kind::Names,
+        Derived("all"),
+        "Names of the factors that are varied; `[]` for the case alone.",
+    ),
+    key(
+        "intervals",
+        Kind::Flag,
+        Flag(false),
+        "Whether every figure gets its interval (5 to 95 %): of a closed form from uncertain inputs and the error of the model, as \
+         `coulter forecast` states it, of a run from the case on other meshes, as `coulter run --meshes`.",
+    ),
+    key("meshes", Kind::Count, Number(3.0), "With `intervals`: meshes on which the solver runs every point.")
+        .within(from(2.0, 6.0)),
+    key("quick", Kind::Flag, Flag(true), "Whether the part is evaluated with `--quick`, too."),
     key(
         "set",
         Kind::Assignments,
@@ -92,6 +114,12 @@ const FACTOR: &[Key] = &[
         "The key of the case that is varied, such as `soil.friction_angle`.",
     ),
     key("values", Kind::Values, Derived("levels over the range"), "The levels, each as the key wants it."),
+    key(
+        "quick",
+        Kind::Values,
+        Derived("all levels"),
+        "The levels with `--quick`: fewer, or, in formulas, those of a cheaper run.",
+    ),
     key("range", Kind::Values, Derived("from the lowest to the highest level"), "Low and high end."),
     key("levels", Kind::Count, Derived("those in `values`"), "Number of levels over the range.")
         .within(from(2.0, 1000.0)),

@@ -12,6 +12,6 @@ pub mod schema;
 
 pub use design::{Design, ModelKind};
 pub use factor::{Factor, Level};
-pub use model::{ChartWish, Part, Pool, Study};
+pub use model::{BaseCase, ChartWish, Part, Pool, Study};
 pub use points::{Point, points};
 pub use read::{read, read_expanded};

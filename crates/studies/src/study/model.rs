@@ -2,6 +2,7 @@
 
 use super::{Design, Factor, ModelKind};
 use crate::expression::Expression;
+use serde::{Deserialize, Serialize};
 
 /// A study.
 #[derive(Clone, Debug)]
@@ -10,10 +11,10 @@ pub struct Study {
     pub name: String,
     /// Heading of its page.
     pub title: String,
-    /// The case that is varied: path of its file.
-    pub case_path: String,
-    /// The text of that file.
-    pub case_text: String,
+    /// Whether it is the quick version of the study.
+    pub is_quick: bool,
+    /// The cases that are varied: that of the file, and those that parts have of their own.
+    pub cases: Vec<BaseCase>,
     /// Whether every closed form that applies gets a row of the table.
     pub all_closed_forms: bool,
     /// Responses whose effects are analysed; empty for the usual ones.
@@ -28,13 +29,27 @@ pub struct Study {
     pub pool: Pool,
 }
 
+/// A case that is varied.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BaseCase {
+    /// Path of its file.
+    pub path: String,
+    /// The text of that file.
+    #[serde(skip)]
+    pub text: String,
+}
+
 /// A part of a study.
 #[derive(Clone, Debug)]
 pub struct Part {
     /// Name of the part; empty of a study that has only one.
     pub name: String,
+    /// The case that is varied: its number in the list of the study.
+    pub case: usize,
     /// What is evaluated at every point.
     pub models: Vec<ModelKind>,
+    /// Meshes from which the intervals of a run follow; `None` without intervals.
+    pub meshes: Option<usize>,
     /// Which points it has.
     pub design: Design,
     /// Number of points of a design that fills space; 0 of the others.
@@ -47,6 +62,29 @@ pub struct Part {
     pub set: Vec<(String, String)>,
     /// Keys of the case that follow from others.
     pub derived: Vec<(String, Expression)>,
+    /// Whether it is evaluated in the quick version of the study, too.
+    pub in_quick: bool,
+}
+
+impl Part {
+    /// Whether a formula of the part uses a factor by its name.
+    #[must_use]
+    pub fn uses(&self, factor: &str) -> bool {
+        self.derived.iter().any(|(_, formula)| formula.names().contains(&factor))
+    }
+}
+
+impl Study {
+    /// The parts that are evaluated in this version of the study.
+    pub fn evaluated_parts(&self) -> impl Iterator<Item = &Part> {
+        self.parts.iter().filter(|part| part.in_quick || !self.is_quick)
+    }
+
+    /// The case that a part varies.
+    #[must_use]
+    pub fn case_of(&self, part: &Part) -> &BaseCase {
+        &self.cases[part.case]
+    }
 }
 
 /// A chart that the file asks for.

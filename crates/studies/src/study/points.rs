@@ -138,10 +138,12 @@ pub(super) fn point(
     Ok(Point { levels, set })
 }
 
-/// The level of a factor where it is not varied: what the part sets, what the case says, otherwise, of one
-/// without a key, the first.
+/// The level of a factor where it is not varied: what the part sets, what the case says; of one without a key
+/// the first, where a formula of the part uses it.
 fn fixed_level(factor: &Factor, part: &Part, tree: &[Entry]) -> Option<Level> {
-    let Some(key) = &factor.key else { return factor.levels.first().cloned() };
+    let Some(key) = &factor.key else {
+        return factor.levels.first().filter(|_| part.uses(&factor.name)).cloned();
+    };
     match part.set.iter().rev().find(|(set, _)| set == key) {
         Some((_, toml)) => factor.own_level(&value_of(toml)?),
         None => factor.own_level(find(tree, key)?),

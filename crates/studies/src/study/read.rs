@@ -4,34 +4,38 @@
 use super::assignments::assignments;
 use super::factor::numbers_of;
 use super::keys::{self, table};
-use super::model::{ChartWish, Part, Pool, Study};
-use super::{Design, Factor, ModelKind};
+use super::model::{BaseCase, ChartWish, Part, Pool, Study};
+use super::{Design, Factor, Level, ModelKind};
 use crate::expression::{self, Expression};
 use coulter::case::form::{Entry, Form, Problems, Section, Value, accepts, find, join, nearest, section};
 use coulter::case::{self, CaseError};
 use std::path::Path;
 
-/// Reads the study file at `path`.
+/// Reads the study file at `path`, or the quick version that it describes.
 ///
 /// # Errors
 /// [`CaseError`] holds everything that is wrong with it, with its place in the file; or what is wrong with
 /// the file of the case.
-pub fn read(path: &Path) -> Result<Study, CaseError> {
+pub fn read(path: &Path, quick: bool) -> Result<Study, CaseError> {
     let stem = path.file_stem();
     let name = stem.map_or_else(|| "study".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    read_with(path, &name, None)
+    read_with(path, (&name, quick), None)
 }
 
-/// Reads a study that was expanded: the copy of its file, its name, and the text of the case with the path of
-/// its file.
+/// Reads a study that was expanded: the copy of its file, its name and whether it is the quick version, and
+/// the cases that it varies.
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_expanded(path: &Path, name: &str, case: (&str, &str)) -> Result<Study, CaseError> {
-    read_with(path, name, Some(case))
+pub fn read_expanded(path: &Path, version: (&str, bool), cases: Vec<BaseCase>) -> Result<Study, CaseError> {
+    read_with(path, version, Some(cases))
 }
 
-fn read_with(path: &Path, name: &str, case: Option<(&str, &str)>) -> Result<Study, CaseError> {
+fn read_with(
+    path: &Path,
+    (name, is_quick): (&str, bool),
+    expanded: Option<Vec<BaseCase>>,
+) -> Result<Study, CaseError> {
     let shown = path.display().to_string();
     let form = Form::read(&case::text(path)?, &shown)?;
     let has = |key: &str| find(&form.entries, key).is_some();
@@ -44,7 +48,7 @@ fn read_with(path: &Path, name: &str, case: Option<(&str, &str)>) -> Result<Stud
     let mut factors = Vec::new();
     for (name, entries) in named(&form, "factor", &mut problems) {
         let given = problems.len();
-        let read = factor(&name, &entries, &mut problems);
+        let read = factor(&name, &entries, is_quick, &mut problems);
         factors.extend(read.filter(|_| problems.len() == given));
     }
     let names: Vec<String> =
@@ -55,19 +59,20 @@ fn read_with(path: &Path, name: &str, case: Option<(&str, &str)>) -> Result<Stud
     let charts = named(&form, "chart", &mut problems);
     let charts: Vec<ChartWish> = charts.iter().map(|(name, e)| chart(name, e, &mut problems)).collect();
     let pool = pool(&form, &mut problems);
-    let parts = parts(&form, &names, &mut problems);
+    let mut paths = PathsOfCases::of(&top);
+    let parts = parts(&form, &names, &mut paths, &mut problems);
     if !problems.is_empty() {
         return Err(form.error(problems));
     }
-    let (case_path, case_text) = match case {
-        Some((text, path)) => (path.to_owned(), text.to_owned()),
-        None => of_case(path, &top, &form)?,
+    let cases = match expanded {
+        Some(cases) if cases.len() == paths.list.len() => cases,
+        _ => paths.read(path, &form)?,
     };
     let study = Study {
         title: top.text("title").unwrap_or_else(|| name.to_owned()),
         name: name.to_owned(),
-        case_path,
-        case_text,
+        is_quick,
+        cases,
         responses: top.words("responses").unwrap_or_default(),
         all_closed_forms: top.text("closed_forms").as_deref() == Some("all"),
         factors,
@@ -79,17 +84,46 @@ fn read_with(path: &Path, name: &str, case: Option<(&str, &str)>) -> Result<Stud
     if problems.is_empty() { Ok(study) } else { Err(form.error(problems)) }
 }
 
-/// The path of the case that is varied, and its text.
-fn of_case(path: &Path, top: &Section, form: &Form) -> Result<(String, String), CaseError> {
-    let typed = top.text("case").unwrap_or_default();
-    let found = path.parent().unwrap_or(Path::new("")).join(&typed);
-    let text = case::text(&found).map_err(|error| {
-        let why = error.problems.first().map_or_else(|| error.to_string(), |problem| problem.message.clone());
+/// The files of the cases as typed, each once, with the place of the key that names it first.
+struct PathsOfCases {
+    list: Vec<[String; 2]>,
+}
+
+impl PathsOfCases {
+    fn of(top: &Section) -> Self {
+        Self { list: vec![[top.text("case").unwrap_or_default(), "case".to_owned()]] }
+    }
+
+    /// The number of a file, which is new where it was not named before.
+    fn number(&mut self, typed: String, at: String) -> usize {
+        let known = self.list.iter().position(|[known, _]| *known == typed);
+        known.unwrap_or_else(|| {
+            self.list.push([typed, at]);
+            self.list.len() - 1
+        })
+    }
+
+    /// The files, relative to the folder of the study.
+    fn read(&self, study: &Path, form: &Form) -> Result<Vec<BaseCase>, CaseError> {
+        let folder = study.parent().unwrap_or(Path::new(""));
         let mut problems = Problems::default();
-        problems.add("case", why, "check the path, which is relative to the folder of the study");
-        form.error(problems)
-    })?;
-    Ok((found.display().to_string(), text))
+        let mut cases = Vec::new();
+        for [typed, at] in &self.list {
+            let found = folder.join(typed);
+            match case::text(&found) {
+                Ok(text) => cases.push(BaseCase { path: found.display().to_string(), text }),
+                Err(error) => {
+                    let why = error.problems.first().map_or_else(|| error.to_string(), |p| p.message.clone());
+                    problems.add(
+                        at.clone(),
+                        why,
+                        "check the path, which is relative to the folder of the study",
+                    );
+                }
+            }
+        }
+        if problems.is_empty() { Ok(cases) } else { Err(form.error(problems)) }
+    }
 }
 
 /// The keys at the top: those of the file, and those of a part.
@@ -133,14 +167,14 @@ fn named(form: &Form, kind: &str, problems: &mut Problems) -> Vec<(String, Vec<E
 }
 
 /// A factor; `None` where it is wrong.
-fn factor(name: &str, entries: &[Entry], problems: &mut Problems) -> Option<Factor> {
+fn factor(name: &str, entries: &[Entry], is_quick: bool, problems: &mut Problems) -> Option<Factor> {
     let path = join("factor", name);
     let read = section(entries, &table("factor"), &path, &[], problems);
     let items = |key: &str| match read.as_typed(key) {
         Some(Value::List(items)) => items,
         _ => Vec::new(),
     };
-    let (values, range) = (items("values"), items("range"));
+    let (values, range, quick) = (items("values"), items("range"), items("quick"));
     let at = |key: &str| join(&path, key);
     if !read.has("values") && !read.has("range") {
         let cure = "give it values = [\"30 deg\", \"35 deg\"], or range = [\"30 deg\", \"45 deg\"]";
@@ -161,9 +195,9 @@ fn factor(name: &str, entries: &[Entry], problems: &mut Problems) -> Option<Fact
     }
     let key = read.text("key");
     if let Some(key) = &key {
-        accepted(key, &path, [&values, &range], problems)?;
+        accepted(key, &path, [("values", &values), ("range", &range), ("quick", &quick)], problems)?;
     }
-    let all: Vec<Value> = values.iter().chain(&range).cloned().collect();
+    let all: Vec<Value> = values.iter().chain(&range).chain(&quick).cloned().collect();
     let (unit, numbers) = match numbers_of(&all) {
         Some((unit, numbers)) => (Some(unit), numbers),
         None => (None, Vec::new()),
@@ -177,15 +211,19 @@ fn factor(name: &str, entries: &[Entry], problems: &mut Problems) -> Option<Fact
         range: None,
         logarithmic: read.text("scale").as_deref() == Some("logarithmic"),
     };
-    let (of_values, of_range) = numbers.split_at(values.len().min(numbers.len()));
+    let (of_values, others) = numbers.split_at(values.len().min(numbers.len()));
+    let (of_range, of_quick) = others.split_at(range.len().min(others.len()));
     spread(&mut factor, &read, (&values, of_values, of_range), problems)?;
+    if is_quick && read.has("quick") {
+        factor.levels = levels(&quick, of_quick);
+    }
     Some(factor)
 }
 
 /// Whether the key of a factor exists, and takes its values.
-fn accepted(key: &str, path: &str, [values, range]: [&[Value]; 2], problems: &mut Problems) -> Option<()> {
+fn accepted(key: &str, path: &str, lists: [(&str, &[Value]); 3], problems: &mut Problems) -> Option<()> {
     let mut is_accepted = true;
-    for (list, values) in [("values", values), ("range", range)] {
+    for (list, values) in lists {
         for (n, value) in values.iter().enumerate() {
             if let Err([message, cure]) = accepts(key, value) {
                 let is_unknown = coulter::case::keys::at(key).is_none();
@@ -231,14 +269,19 @@ fn spread(
         factor.range = Some([low, high]);
     }
     factor.levels = if read.has("values") {
-        let number = |n: usize| of_values.get(n).copied();
-        values.iter().enumerate().map(|(n, value)| Factor::level_of(value, number(n))).collect()
+        levels(values, of_values)
     } else {
         let count = read.number("levels").unwrap_or(0.0) as usize;
         let fraction = |n: usize| n as f64 / (count.max(2) - 1) as f64;
         (0..count).filter_map(|n| factor.at(fraction(n))).map(|number| factor.level(number)).collect()
     };
     Some(())
+}
+
+/// The levels of values as typed, with their numbers in the unit of the factor; none of words.
+fn levels(values: &[Value], numbers: &[f64]) -> Vec<Level> {
+    let number = |n: usize| numbers.get(n).copied();
+    values.iter().enumerate().map(|(n, value)| Factor::level_of(value, number(n))).collect()
 }
 
 fn chart(name: &str, entries: &[Entry], problems: &mut Problems) -> ChartWish {
@@ -277,25 +320,24 @@ fn pool(form: &Form, problems: &mut Problems) -> Pool {
 }
 
 /// The parts; without any section of them the study is one.
-fn parts(form: &Form, names: &[String], problems: &mut Problems) -> Vec<Part> {
+fn parts(form: &Form, names: &[String], cases: &mut PathsOfCases, problems: &mut Problems) -> Vec<Part> {
     let of_part = |entry: &&Entry| table("part").keys.iter().any(|key| key.name == entry.key);
     let shared: Vec<Entry> = form.entries.iter().filter(of_part).cloned().collect();
     let sections = named(form, "part", problems);
     if sections.is_empty() {
-        return vec![part(("", ""), &shared, &[], names, problems)];
+        return vec![part(("", ""), [&shared, &[]], (names, cases), problems)];
     }
     sections
         .iter()
-        .map(|(name, own)| part((name, &join("part", name)), own, &shared, names, problems))
+        .map(|(name, own)| part((name, &join("part", name)), [own, &shared], (names, cases), problems))
         .collect()
 }
 
 /// A part, from its own keys and those that it shares with others.
 fn part(
     (name, path): (&str, &str),
-    own: &[Entry],
-    shared: &[Entry],
-    names: &[String],
+    [own, shared]: [&[Entry]; 2],
+    (names, cases): (&[String], &mut PathsOfCases),
     problems: &mut Problems,
 ) -> Part {
     // What is shared was checked where it stands.
@@ -329,21 +371,27 @@ fn part(
             "add points = 64",
         );
     }
+    let case = own_read.text("case").map_or(0, |typed| cases.number(typed, join(path, "case")));
+    // What the top of the file sets and derives belongs to its own case.
+    let with_keys: Vec<(&Section, &str)> = [(&shared_read, ""), (&own_read, path)]
+        .into_iter()
+        .filter(|(_, at)| case == 0 || !at.is_empty())
+        .collect();
     Part {
         name: name.to_owned(),
+        case,
+        meshes: of("intervals")
+            .flag("intervals")
+            .filter(|is_wanted| *is_wanted)
+            .map(|_| of("meshes").number("meshes").unwrap_or(3.0) as usize),
+        in_quick: own_read.flag("quick").unwrap_or(true),
         models: ModelKind::all_of(&words),
         design,
         points: points.filter(|_| design.fills_space()).unwrap_or(0.0) as usize,
         seed: of("seed").number("seed").unwrap_or(1.0) as u64,
         factors,
-        set: [(&shared_read, ""), (&own_read, path)]
-            .iter()
-            .flat_map(|(read, at)| set(read, at, problems))
-            .collect(),
-        derived: [(&shared_read, ""), (&own_read, path)]
-            .iter()
-            .flat_map(|(read, at)| derived(read, at, problems))
-            .collect(),
+        set: with_keys.iter().flat_map(|(read, at)| set(read, at, problems)).collect(),
+        derived: with_keys.iter().flat_map(|(read, at)| derived(read, at, problems)).collect(),
     }
 }
 

@@ -4,7 +4,7 @@ use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::{Ending, Outcome};
 use super::store::Store;
-use crate::responses::{Figures, responses};
+use crate::responses::{Figures, ResponseColumn, responses};
 use crate::study::{ModelKind, Study};
 use crate::table::{Column, Role, Table, Values};
 use std::collections::BTreeMap;
@@ -183,6 +183,26 @@ fn chosen(study: &Study, line: &CaseLine, outcome: &Outcome) -> Vec<Figures> {
     outcome.rows.iter().filter(|row| all || row.recommended).cloned().collect()
 }
 
+/// The columns with the ends of the intervals of a response, `drag_low` and `drag_high`; none without any.
+fn ends(response: &ResponseColumn, rows: &[Row]) -> Vec<Column> {
+    let interval = |row: &Row| row.figures.intervals.get(response.name).copied();
+    if rows.iter().all(|row| interval(row).is_none()) {
+        return Vec::new();
+    }
+    let one = |(n, end): (usize, &str)| Column {
+        name: format!("{}_{end}", response.name),
+        unit: response.unit.to_owned(),
+        label: format!(
+            "{} end of the interval of {}",
+            if n == 0 { "lower" } else { "upper" },
+            response.label
+        ),
+        role: Role::Remark,
+        values: Values::Numbers(rows.iter().map(|row| interval(row).map(|ends| ends[n])).collect()),
+    };
+    ["low", "high"].into_iter().enumerate().map(one).collect()
+}
+
 fn table(study: &Study, rows: &[Row]) -> Table {
     let numbers = |of: &dyn Fn(&Row) -> Option<f64>| Values::Numbers(rows.iter().map(of).collect());
     let words = |of: &dyn Fn(&Row) -> Option<String>| Values::Words(rows.iter().map(of).collect());
@@ -227,6 +247,7 @@ fn table(study: &Study, rows: &[Row]) -> Table {
         }
         let values: Vec<Option<f64>> = rows.iter().map(|row| row.figures.get(response.name)).collect();
         if values.iter().any(Option::is_some) {
+            let ends = ends(&response, rows);
             columns.push(Column {
                 name: response.name.to_owned(),
                 unit: response.unit.to_owned(),
@@ -234,6 +255,7 @@ fn table(study: &Study, rows: &[Row]) -> Table {
                 role: Role::Response,
                 values: Values::Numbers(values),
             });
+            columns.extend(ends);
         }
     }
     columns.push(word("state", Role::Remark, words(&|row| filled(row.state))));

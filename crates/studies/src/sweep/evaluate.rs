@@ -1,14 +1,16 @@
 //! A case of a study, from its line to its outcome.
 
+use super::assembly::together;
 use super::expand::{self, reason};
 use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::{Ending, Outcome};
 use super::store::{Store, StudyError};
-use crate::responses::{self, Figures};
-use crate::study::ModelKind;
+use crate::responses::{self, Figures, GROUPS};
+use crate::study::{BaseCase, ModelKind};
 use coulter::case::{self, Case, CaseError};
-use coulter::forecast::{self, Outlook};
+use coulter::confidence::variations::{Asked, variations};
+use coulter::forecast::{self, Effort, Outlook};
 use coulter::history::BodySample;
 use coulter::history::quantities::{Quantity, Steady};
 use coulter::history::reference::{Groups, Reference};
@@ -17,7 +19,7 @@ use coulter::interrupts::Interrupts;
 use coulter::output::folder::RunRecord;
 use coulter::output::tables::read_history;
 use coulter::output::{BodySummary, OutputError, Summary};
-use coulter::run::{self, End, RunError, RunOptions, Start};
+use coulter::run::{self, End, Request, RunError, RunOptions, Start};
 use coulter::trust::{Check, Verdict};
 use std::path::Path;
 
@@ -46,14 +48,19 @@ pub enum Unended {
 pub struct Shared {
     /// The folder of the study.
     pub store: Store,
-    /// The text of the case that is varied.
-    pub text: String,
-    /// The path of its file.
-    pub path: String,
+    /// The cases that are varied.
+    pub cases: Vec<BaseCase>,
     /// Threads of each run of the solver.
     pub threads: usize,
     /// Requests from outside.
     pub interrupts: Interrupts,
+}
+
+impl Shared {
+    fn base(&self, line: &CaseLine) -> Result<&BaseCase, Unended> {
+        let missing = || Unended::Other(format!("the study has no case number {}", line.case));
+        self.cases.get(line.case).ok_or_else(missing)
+    }
 }
 
 /// Brings a case to its outcome and enters it; one that has an outcome is left as it is.
@@ -84,11 +91,12 @@ fn outcome(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
     if !line.refused.is_empty() {
         return Ok(refused(line.refused.clone()));
     }
-    let case = match expand::read(&shared.text, &shared.path, line) {
+    let base = shared.base(line)?;
+    let case = match expand::read(base, line) {
         Ok(case) => case,
         Err(error) => return Err(Unended::Other(reason(&error))),
     };
-    let now = expand::id(&case, line.model);
+    let now = expand::id(&case, line);
     if now != line.id {
         return Err(StudyError::Changed { id: line.id.clone(), now }.into());
     }
@@ -102,11 +110,11 @@ fn outcome(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
                 } else {
                     outlook.forecast.recommendation.replace('\n', " ")
                 },
-                rows: closed_forms(&outlook, rolling_radius(&case)),
+                rows: closed_forms(&outlook, (&case, line)),
             },
             Err(why) => refused(format!("there is no forecast for this case: {why}")),
         }),
-        ModelKind::Solver => solved(shared, line, case),
+        ModelKind::Solver => solved(shared, line, (base, case)),
     }
 }
 
@@ -115,10 +123,13 @@ fn rolling_radius(case: &Case) -> Option<f64> {
     Reference::all(case).into_iter().find(Reference::has_surface)?.radius
 }
 
-/// The rows of the closed forms that apply to a body that rolls on this radius [m].
-fn closed_forms(outlook: &Outlook, radius: Option<f64>) -> Vec<Figures> {
+/// The rows of the closed forms that apply to a case.
+fn closed_forms(outlook: &Outlook, (case, line): (&Case, &CaseLine)) -> Vec<Figures> {
     let recommended = outlook.best().map(|model| model.name);
     let groups = &outlook.forecast.groups;
+    let radius = rolling_radius(case);
+    let intervals = line.meshes.map(|_| forecast::intervals(outlook, Vec::new(), Effort::Quick));
+    let intervals = intervals.map_or_else(Vec::new, |intervals| intervals.list);
     let applicable = outlook.forecast.models.iter().filter(|model| model.applicable);
     let rows = applicable.filter(|model| model.prediction.is_some()).map(|model| {
         let mut figures = Figures {
@@ -135,16 +146,21 @@ fn closed_forms(outlook: &Outlook, radius: Option<f64>) -> Vec<Figures> {
         figures.say("E_bar", groups.stiffness);
         figures.say("c_bar", groups.cohesion);
         figures.say_traction(radius);
+        for interval in intervals.iter().filter(|interval| interval.model == model.name) {
+            figures.say_interval(interval.quantity, [interval.low, interval.high]);
+        }
         figures
     });
     rows.collect()
 }
 
 /// Runs the solver: a new run, or one that goes on from its checkpoint.
-fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, Unended> {
+fn solved(shared: &Shared, line: &CaseLine, (base, mut case): (&BaseCase, Case)) -> Result<Outcome, Unended> {
     case.numerics.threads = shared.threads;
-    let typed = case::overridden(&shared.text, &shared.path, &line.set)
-        .map_err(|error: CaseError| Unended::Other(reason(&error)))?;
+    let wrong = |error: CaseError| Unended::Other(reason(&error));
+    let typed = case::overridden(&base.text, &base.path, &line.set).map_err(wrong)?;
+    let asked = line.meshes.map(Asked::meshes_alone);
+    let plan = asked.map(|asked| variations(&case, &typed, &base.path, &asked).map_err(wrong)).transpose()?;
     let folder = shared.store.run_folder(&line.id)?;
     let options = RunOptions {
         folder: &folder,
@@ -164,7 +180,11 @@ fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, U
         Ok(summary) => ended(Ending::Broken, reason, &summary),
         Err(_) => Ok(Outcome { id: line.id.clone(), ending: Ending::Broken, reason, rows: Vec::new() }),
     };
-    match run::run(&case, &options) {
+    let end = match &plan {
+        Some(plan) => run::run_confidence(&case, Request { plan, budget: None }, &options),
+        None => run::run(&case, &options),
+    };
+    match end {
         Ok(End::Finished(summary)) if summary.trust.verdict == Verdict::Broken => {
             ended(Ending::Broken, failed_checks(&summary), &summary)
         }
@@ -201,26 +221,42 @@ fn at_end(reference: &Reference, run: &RunRecord, samples: &[BodySample]) -> Opt
     sinks.then(|| SteadyWindow::of(samples, reference, end).steady)
 }
 
-/// The rows of a run: one for every body with a surface.
+/// The rows of a run: one for every body with a surface; of several, before them one for all together.
 fn runs(case: &Case, summary: &Summary, (folder, run): (&Path, &RunRecord)) -> Vec<Figures> {
     // A run that broke down may have no history that can be read; its means are what it has.
     let history = read_history(folder, &run.names(), false).map(|history| history.bodies).unwrap_or_default();
     let bodies = run.bodies.iter().enumerate().filter(|(_, reference)| reference.has_surface());
-    let rows = bodies.enumerate().filter_map(|(n, (number, reference))| {
+    let rows = bodies.filter_map(|(number, reference)| {
         let mut body = summary.bodies.get(&reference.name)?.clone();
         let end = history.get(number).and_then(|samples| at_end(reference, run, samples));
         body.steady = end.unwrap_or(body.steady);
         let groups =
             case.bodies.iter().find(|own| own.name == reference.name).map(|own| Groups::of(case, own));
         let mut figures = of_body(reference, &body);
-        figures.recommended = n == 0;
+        say_intervals(&mut figures, summary, &reference.name);
         figures.grade = Some(summary.trust.verdict.name().to_owned());
         figures.say("W_bar", groups.and_then(|groups| groups.w_bar));
         figures.say("E_bar", groups.and_then(|groups| groups.e_bar));
         figures.say("c_bar", groups.and_then(|groups| groups.c_bar));
-        Some(figures)
+        Some((figures, reference))
     });
-    rows.collect()
+    let (mut rows, references): (Vec<Figures>, Vec<&Reference>) = rows.unzip();
+    if rows.len() > 1 {
+        let weight = case.bodies.iter().map(|body| body.pressing_force(case.normal_weight(body))).sum();
+        rows.insert(0, together(&rows, &references, weight));
+    }
+    if let Some(first) = rows.first_mut() {
+        first.recommended = true;
+    }
+    rows
+}
+
+/// Says the intervals of a run on several meshes, and those of the dimensionless groups that follow.
+fn say_intervals(figures: &mut Figures, summary: &Summary, body: &str) {
+    let found = summary.confidence.as_ref().and_then(|confidence| confidence.bodies.get(body));
+    for (quantity, figure) in found.iter().flat_map(|body| &body.figures) {
+        figures.say_interval(quantity, figure.interval);
+    }
 }
 
 fn of_body(reference: &Reference, BodySummary { steady, peak, .. }: &BodySummary) -> Figures {
@@ -240,9 +276,9 @@ fn of_body(reference: &Reference, BodySummary { steady, peak, .. }: &BodySummary
     figures.say("peak_drag", peak.drag);
     figures.say("peak_vertical", peak.vertical);
     figures.say("drag_noise", steady.drag_noise);
-    figures.say("F_H_bar", group("drag"));
-    figures.say("F_V_bar", group("vertical"));
-    figures.say("Z", group("sinkage"));
+    for [name, quantity] in GROUPS {
+        figures.say(name, group(quantity));
+    }
     figures.say("t_bar", reference.length_group(reference.width));
     figures
 }

@@ -2,7 +2,7 @@
 
 use super::id::CaseId;
 use super::line::{CaseLine, FactorLevel};
-use crate::study::{ModelKind, Part, Point, Study, points};
+use crate::study::{BaseCase, Level, ModelKind, Part, Point, Study, points};
 use coulter::case::estimate::cost;
 use coulter::case::form::Form;
 use coulter::case::{self, Case, CaseError};
@@ -13,12 +13,13 @@ use xxhash_rust::xxh3::xxh3_64;
 /// # Errors
 /// [`CaseError`] where the file of the case cannot be read, or a formula has no value.
 pub fn expand(study: &Study) -> Result<Vec<CaseLine>, CaseError> {
-    let tree = Form::read(&study.case_text, &study.case_path)?.entries;
     let mut lines = Vec::new();
     let mut number = 0;
-    for part in &study.parts {
+    for part in study.evaluated_parts() {
+        let case = study.case_of(part);
+        let tree = Form::read(&case.text, &case.path)?.entries;
         let points = points(study, part, &tree)
-            .map_err(|why| CaseError::unreadable(&study.case_path, why, "change the formula in [derived]"))?;
+            .map_err(|why| CaseError::unreadable(&case.path, why, "change the formula in [derived]"))?;
         for point in points {
             number += 1;
             lines.extend(part.models.iter().map(|model| line(study, part, (number, &point), *model)));
@@ -29,29 +30,31 @@ pub fn expand(study: &Study) -> Result<Vec<CaseLine>, CaseError> {
 
 fn line(study: &Study, part: &Part, (number, point): (usize, &Point), model: ModelKind) -> CaseLine {
     let levels = study.factors.iter().zip(&point.levels);
-    let factors = levels.filter_map(|(factor, level)| {
-        let level = level.as_ref()?;
-        Some(FactorLevel { name: factor.name.clone(), number: level.number, shown: level.shown.clone() })
+    let factors = levels.enumerate().filter_map(|(n, (factor, level))| {
+        let Level { number, shown, .. } = level.clone()?;
+        Some(FactorLevel { name: factor.name.clone(), number, shown, is_varied: part.factors.contains(&n) })
     });
     let mut line = CaseLine {
         id: CaseId::of_refused(0),
         point: number,
         part: part.name.clone(),
+        case: part.case,
         model,
+        meshes: part.meshes,
         factors: factors.collect(),
         set: point.set.clone(),
         memory_bytes: 0.0,
         refused: String::new(),
     };
-    match read(&study.case_text, &study.case_path, &line) {
+    match read(study.case_of(part), &line) {
         Ok(case) => {
-            line.id = id(&case, model);
+            line.id = id(&case, &line);
             if model == ModelKind::Solver {
                 line.memory_bytes = cost(&case).memory_bytes;
             }
         }
         Err(error) => {
-            line.id = CaseId::of_refused(xxh3_64(format!("{model:?}{:?}", line.set).as_bytes()));
+            line.id = CaseId::of_refused(xxh3_64(format!("{model:?}{:?}{}", line.set, part.case).as_bytes()));
             line.refused = reason(&error);
         }
     }
@@ -62,22 +65,29 @@ fn line(study: &Study, part: &Part, (number, point): (usize, &Point), model: Mod
 ///
 /// # Errors
 /// [`CaseError`] holds everything that is wrong with it.
-pub fn read(text: &str, path: &str, line: &CaseLine) -> Result<Case, CaseError> {
+pub fn read(base: &BaseCase, line: &CaseLine) -> Result<Case, CaseError> {
     match line.model {
-        ModelKind::Solver => case::parse(text, path, &line.set),
-        ModelKind::ClosedForm => case::parse_for_forecast(text, path, &line.set).map(|(case, _)| case),
+        ModelKind::Solver => case::parse(&base.text, &base.path, &line.set),
+        ModelKind::ClosedForm => {
+            case::parse_for_forecast(&base.text, &base.path, &line.set).map(|(case, _)| case)
+        }
     }
 }
 
-/// The id of a case: the hash of the case as understood, and of what is evaluated. A run does not depend on
-/// what only the closed forms read.
+/// The id of the case of a line: the hash of the case as understood, and of what is evaluated. A run does not
+/// depend on what only the closed forms read.
 #[must_use]
-pub fn id(case: &Case, model: ModelKind) -> CaseId {
-    match model {
-        ModelKind::ClosedForm => {
-            CaseId::of_closed_form(xxh3_64(case::case_text_with_forecast(case).as_bytes()))
-        }
-        ModelKind::Solver => CaseId::of_run(xxh3_64(case::case_text(case).as_bytes())),
+pub fn id(case: &Case, line: &CaseLine) -> CaseId {
+    let hash = |text: String| {
+        let beside = line.meshes.map_or_else(String::new, |meshes| match line.model {
+            ModelKind::ClosedForm => "with intervals".to_owned(),
+            ModelKind::Solver => format!("on {meshes} meshes"),
+        });
+        xxh3_64((text + &beside).as_bytes())
+    };
+    match line.model {
+        ModelKind::ClosedForm => CaseId::of_closed_form(hash(case::case_text_with_forecast(case))),
+        ModelKind::Solver => CaseId::of_run(hash(case::case_text(case))),
     }
 }
 

@@ -13,9 +13,13 @@ pub struct CaseLine {
     pub point: usize,
     /// The part of the study; empty where it has only one.
     pub part: String,
+    /// The case that is varied: its number in the list of the study.
+    pub case: usize,
     /// What is evaluated.
     pub model: ModelKind,
-    /// The factors and their levels there, varied or not.
+    /// Meshes from which the intervals of a run follow; `null` without intervals.
+    pub meshes: Option<usize>,
+    /// The factors and their levels there; not those of which the part makes nothing.
     pub factors: Vec<FactorLevel>,
     /// What is set in the case, as `--set` takes it.
     pub set: Vec<String>,
@@ -34,4 +38,6 @@ pub struct FactorLevel {
     pub number: Option<f64>,
     /// The level as typed.
     pub shown: String,
+    /// Whether the part varies it.
+    pub is_varied: bool,
 }

@@ -4,6 +4,7 @@
 //! outcome in a file of its own that appears whole or not at all. So cases may be run by several engines at
 //! once, killed and run again.
 
+mod assembly;
 pub mod collect;
 pub mod evaluate;
 pub mod expand;

@@ -7,6 +7,7 @@ use crate::charts::ChartRequest;
 use crate::page::{Page, page};
 use crate::study::{Part, Study};
 use crate::table::{Column, Role, Table, Values, to_csv, to_parquet};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// Writes the collected files of a study into its folder; returns their paths.
@@ -19,7 +20,7 @@ pub fn write(store: &Store, study: &Study, collected: &Collected) -> Result<Vec<
     let csv = to_csv(table).map_err(|error| other(error.to_string()))?;
     let parquet = to_parquet(table).map_err(|error| other(error.to_string()))?;
     let lacking = to_csv(&lacking(collected)).map_err(|error| other(error.to_string()))?;
-    let analysis = analysis(study, table);
+    let analysis = analysis(study, &leading(table));
     let mut files = vec![
         store.write("table.csv", csv.as_bytes())?,
         store.write("table.parquet", &parquet)?,
@@ -38,6 +39,18 @@ pub fn write(store: &Store, study: &Study, collected: &Collected) -> Result<Vec<
     let text = page(&shown);
     files.push(store.write("report.html", text.map_err(|error| other(error.to_string()))?.as_bytes())?);
     Ok(files)
+}
+
+/// The first row of every point and model: of a run of several bodies that of all of them together.
+fn leading(table: &Table) -> Table {
+    let (points, models) =
+        (table.numbers("point").unwrap_or_default(), table.words("model").unwrap_or_default());
+    let mut seen = BTreeSet::new();
+    let mut is_new = |(point, model): (&Option<f64>, &Option<String>)| {
+        seen.insert((point.map(f64::to_bits), model.clone()))
+    };
+    let keep: Vec<bool> = points.iter().zip(models).map(&mut is_new).collect();
+    rows(table, &keep)
 }
 
 /// The points with what the study looks at, as the page shows them.
@@ -83,7 +96,7 @@ fn lacking(collected: &Collected) -> Table {
 /// file asks for.
 fn analysis(study: &Study, table: &Table) -> Analysis {
     let mut all = Analysis::default();
-    for part in &study.parts {
+    for part in study.evaluated_parts() {
         let rows = of_part(table, part);
         let request = AnalysisRequest {
             responses: study.responses.clone(),
@@ -167,8 +180,13 @@ fn of_part(table: &Table, part: &Part) -> Table {
     }
     let names = table.words("part").unwrap_or_default();
     let keep: Vec<bool> = names.iter().map(|name| name.as_deref() == Some(part.name.as_str())).collect();
+    rows(table, &keep)
+}
+
+/// The rows of a table that are kept.
+fn rows(table: &Table, keep: &[bool]) -> Table {
     let columns =
-        table.columns.iter().map(|column| Column { values: kept(&column.values, &keep), ..column.clone() });
+        table.columns.iter().map(|column| Column { values: kept(&column.values, keep), ..column.clone() });
     Table { columns: columns.collect() }
 }
 

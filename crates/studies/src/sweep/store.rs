@@ -4,7 +4,7 @@ use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::Outcome;
 use crate::files;
-use crate::study::Study;
+use crate::study::{BaseCase, Study};
 use coulter::formats;
 use coulter::output::{FileError, Inside};
 use serde::{Deserialize, Serialize};
@@ -14,7 +14,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Version of the format of the folder.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 /// Largest file of a study that is read [bytes].
 const MOST_BYTES: u64 = 4 << 30;
 
@@ -74,8 +74,10 @@ pub struct Origin {
     pub format: u32,
     /// Name of the study.
     pub study: String,
-    /// Path of the file of the case, beside which the files lie that it names.
-    pub case: String,
+    /// Whether it is the quick version of it.
+    pub quick: bool,
+    /// The files of the cases, beside which the files lie that they name; their text is kept in the folder.
+    pub cases: Vec<BaseCase>,
 }
 
 /// The folder of a study.
@@ -120,11 +122,14 @@ impl Store {
         }
         store.check_folders()?;
         files::make_folder(&store.inside(OUTCOMES))?;
-        let source =
-            std::path::absolute(&study.case_path).unwrap_or_else(|_| PathBuf::from(&study.case_path));
         files::write(&store.inside(STUDY), text.as_bytes())?;
-        files::write(&store.inside(CASE), study.case_text.as_bytes())?;
-        let origin = Origin { format: FORMAT, study: study.name.clone(), case: source.display().to_string() };
+        let mut cases = study.cases.clone();
+        for (n, case) in cases.iter_mut().enumerate() {
+            files::write(&store.inside(&case_file(n)), case.text.as_bytes())?;
+            let path = std::path::absolute(&case.path).unwrap_or_else(|_| PathBuf::from(&case.path));
+            case.path = path.display().to_string();
+        }
+        let origin = Origin { format: FORMAT, study: study.name.clone(), quick: study.is_quick, cases };
         let origin = serde_json::to_string_pretty(&origin).unwrap_or_default() + "\n";
         files::write(&store.inside(ORIGIN), origin.as_bytes())?;
         // Last: a folder with a list is complete.
@@ -179,17 +184,20 @@ impl Store {
         Ok(files::folder(&self.inside(RUNS).join(id.as_str()))?)
     }
 
-    /// The text of the case that is varied, and where it and the study come from.
+    /// Where the study comes from, with the texts of the cases that it varies.
     ///
     /// # Errors
     /// Where they cannot be read.
-    pub fn case(&self) -> Result<(String, Origin), StudyError> {
+    pub fn origin(&self) -> Result<Origin, StudyError> {
         let origin = serde_json::from_str(&self.text(ORIGIN)?);
-        let origin = origin.map_err(|error| StudyError::Content {
+        let mut origin: Origin = origin.map_err(|error| StudyError::Content {
             path: self.folder.join(ORIGIN),
             problem: error.to_string(),
         })?;
-        Ok((self.text(CASE)?, origin))
+        for (n, case) in origin.cases.iter_mut().enumerate() {
+            case.text = self.text(&case_file(n))?;
+        }
+        Ok(origin)
     }
 
     fn text(&self, name: &str) -> Result<String, StudyError> {
@@ -291,7 +299,11 @@ impl Store {
 
 const LIST: &str = "cases.jsonl";
 const STUDY: &str = "study.toml";
-const CASE: &str = "case.toml";
 const ORIGIN: &str = "origin.json";
 const OUTCOMES: &str = "outcomes";
 const RUNS: &str = "runs";
+
+/// The copy of a case by its number: `case.toml`, `case_2.toml`.
+fn case_file(number: usize) -> String {
+    if number == 0 { "case.toml".to_owned() } else { format!("case_{}.toml", number + 1) }
+}
