@@ -2,7 +2,8 @@
 
 use crate::common::{choices, results_folder, say};
 use crate::failure::Failure;
-use coulter::output::rebuild_report_with;
+use coulter::output::plots::Units;
+use coulter::output::{ReportWishes, rebuild_report_with};
 use std::path::PathBuf;
 use studies::comparison::Unreadable;
 use studies::laid_over;
@@ -17,6 +18,9 @@ pub(super) struct Arguments {
     /// are not kept in DIR
     #[arg(long, value_name = "ITEM")]
     with: Vec<PathBuf>,
+    /// Draw lengths over d, forces over γtd², and torques over γtd³
+    #[arg(long)]
+    dimensionless: bool,
     /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign,
     /// COLUMN=- to leave it out; may be repeated
     #[arg(long = "column", value_name = "COLUMN=QUANTITY", requires = "with")]
@@ -41,8 +45,9 @@ pub(super) fn report(arguments: &Arguments) -> Result<(), Failure> {
     }
     refuse_unused(&choices, records.iter()).map_err(Failure::Request)?;
     let remarks: Vec<String> = records.iter().flat_map(Record::named_remarks).collect();
-    let report = rebuild_report_with(folder, &curves, &remarks);
-    let report = report.map_err(|e| Failure::Request(e.to_string()))?;
     let notes: String = remarks.iter().map(|remark| format!("note: {remark}\n")).collect();
+    let units = if arguments.dimensionless { Units::Dimensionless } else { Units::Readable };
+    let report = rebuild_report_with(folder, ReportWishes { laid_over: curves, remarks, units });
+    let report = report.map_err(|e| Failure::Request(e.to_string()))?;
     say(&format!("{notes}{}\n", report.display()))
 }

@@ -16,7 +16,7 @@ pub use confidence::{explored, finished, make_variations_folder, run_of, variati
 pub use page::{lowered, render_page};
 pub use render::{Colouring, ImageFormat, RenderOptions, Viewpoint, render};
 pub use report::{
-    BodySummary, EnergySummary, RimSummary, SoilSummary, Summary, confidence_lines, mean_lines,
+    BodySummary, EnergySummary, ReportWishes, RimSummary, SoilSummary, Summary, confidence_lines, mean_lines,
 };
 pub use run_results::{
     Results, add_confidence, clear_all, rebuild_report, rebuild_report_with, require_nothing,

@@ -2,7 +2,7 @@
 
 use super::confidence;
 use super::pictures::{Shown, write_pictures};
-use super::report::{ReportText, Summary, rims, write_report};
+use super::report::{ReportText, ReportWishes, Summary, rims, write_report};
 use case::resolved::MotionTable;
 use case::{Case, FORMAT, with_files};
 use input::mesh_file::hash_of;
@@ -150,7 +150,7 @@ impl Results {
             &read_history(&self.dir, &HistoryNames::of(history), true)?,
             &*read_rims(&self.dir, &history.names)?,
         );
-        report(&self.dir, &self.record, &summary, written, (&[], &[]))?;
+        report(&self.dir, &self.record, &summary, written, ReportWishes::default())?;
         // Last: until it says how the run ended, a resumed run repeats all this.
         self.record.write(&self.dir)?;
         Ok(summary)
@@ -253,19 +253,14 @@ pub fn add_confidence(
 /// # Errors
 /// When the folder holds no result, or a file is broken.
 pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
-    rebuild_report_with(dir, &[], &[])
+    rebuild_report_with(dir, ReportWishes::default())
 }
 
-/// As [`rebuild_report`], with curves of measurements and other runs laid over its plots, and remarks on
-/// them. They are not kept in the folder.
+/// As [`rebuild_report`], with what this report alone shows.
 ///
 /// # Errors
 /// As [`rebuild_report`].
-pub fn rebuild_report_with(
-    dir: &Path,
-    laid_over: &[Overlay],
-    remarks: &[String],
-) -> Result<PathBuf, OutputError> {
+pub fn rebuild_report_with(dir: &Path, wishes: ReportWishes) -> Result<PathBuf, OutputError> {
     let record = RunRecord::read(dir)?;
     let names = record.names();
     let is_whole = record.statistics.outcome.is_end();
@@ -280,7 +275,7 @@ pub fn rebuild_report_with(
         summary.fill(&history, &record);
         summary
     };
-    report(dir, &record, &summary, (&history, &read_rims(dir, &names.bodies)?), (laid_over, remarks))?;
+    report(dir, &record, &summary, (&history, &read_rims(dir, &names.bodies)?), wishes)?;
     Ok(dir.join(REPORT))
 }
 
@@ -289,18 +284,13 @@ fn report(
     record: &RunRecord,
     summary: &Summary,
     (history, rims): (&History, &[Vec<RimLine>]),
-    (laid_over, remarks): (&[Overlay], &[String]),
+    wishes: ReportWishes,
 ) -> Result<(), OutputError> {
     let optional = |name: &str| {
         let file = Inside::of(dir, name);
         if file.exists() { read_text(&file).map(Some) } else { Ok(None) }
     };
-    let text = ReportText {
-        resolved: optional(RESOLVED)?,
-        typed: optional(TYPED)?,
-        laid_over: laid_over.to_vec(),
-        remarks: remarks.to_vec(),
-    };
+    let text = ReportText { resolved: optional(RESOLVED)?, typed: optional(TYPED)?, wishes };
     make_folder(&Inside::of(dir, PLOTS))?;
     write_report(dir, record, summary, (history, rims), &text)
 }

@@ -310,8 +310,8 @@ fn warnings(towing: &Towing, has_other: bool) -> Vec<String> {
         warnings.push("The bow wave is a hypothesis that has not been validated.".into());
     }
     if towing.assembly.is_some_and(|assembly| assembly.count > 1) {
-        warnings
-            .push("The group rule for several discs is an interpolation between two exact limits.".into());
+        let rule = "Several discs share soil where the wedges that fail beside them overlap (docs/models/disc-assembly.md).";
+        warnings.push(rule.into());
     }
     warnings
 }

@@ -19,6 +19,6 @@ pub(crate) use colour::{ColourMap, Rgb};
 pub use curve::{Curve, Level, Stroke};
 pub use energy_plot::{closure_plot, energy_plot};
 pub(crate) use mesh_plot::MeshPlot;
-pub use plot::{BodyHistory, Plot};
+pub use plot::{BodyHistory, Plot, Units};
 pub use rim_plot::rim_plots;
 pub(crate) use scale::{tick_label, ticks};

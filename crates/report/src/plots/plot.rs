@@ -30,6 +30,16 @@ pub struct Plot {
     pub caption: String,
 }
 
+/// In which units plots are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Units {
+    /// Those in which the numbers are easy to read.
+    #[default]
+    Readable,
+    /// The body's own: lengths over d, forces over γ t d², torques over γ t d³.
+    Dimensionless,
+}
+
 /// One body's history, with everything that its plots need.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyHistory<'a> {
@@ -41,6 +51,8 @@ pub struct BodyHistory<'a> {
     pub steady: &'a Steady,
     /// Curves to overlay on the plots.
     pub overlays: &'a [Overlay],
+    /// The units of the plots.
+    pub units: Units,
 }
 
 /// The abscissa of a body's plots: displacement if it is towed, otherwise time.
@@ -98,7 +110,7 @@ impl BodyHistory<'_> {
         let window = |from: Option<f64>, to: Option<f64>, unit: f64| Some([from? / unit, to? / unit]);
         if is_tow(self.samples, self.reference) {
             let metres: Vec<f64> = self.samples.iter().map(|s| s.displacement).collect();
-            let unit = Unit::length(largest(metres.iter().copied()));
+            let unit = self.unit("m", largest(metres.iter().copied()));
             return Abscissa {
                 window: window(self.steady.from_m, self.steady.to_m, unit.size),
                 values: metres.iter().map(|u| u / unit.size).collect(),
@@ -118,6 +130,17 @@ impl BodyHistory<'_> {
             smoothing: 0.01 * span,
             is_tow: false,
         }
+    }
+
+    /// The unit of numbers up to `largest` of this SI unit. In weightless soil there is no force of reference.
+    fn unit(&self, si: &'static str, largest: f64) -> Unit {
+        let name = match si {
+            "N" => "γtd²",
+            "N m" => "γtd³",
+            _ => "d",
+        };
+        let size = self.reference.group(si, 1.0).filter(|_| self.units == Units::Dimensionless);
+        size.map_or(Unit::of(si, largest), |size| Unit { name, size: size.recip() })
     }
 
     fn series(&self, along: &[f64], unit: f64, value: impl Fn(&BodySample) -> f64) -> Vec<[f64; 2]> {
@@ -149,7 +172,7 @@ impl BodyHistory<'_> {
     }
 
     fn force_unit(&self) -> Unit {
-        Unit::force(largest(self.samples.iter().flat_map(|s| [s.drag, s.vertical])))
+        self.unit("N", largest(self.samples.iter().flat_map(|s| [s.drag, s.vertical])))
     }
 
     /// Raw and smoothed forces against `along`.
@@ -211,7 +234,7 @@ impl BodyHistory<'_> {
     fn force_sinkage(&self) -> Plot {
         let base = self.abscissa();
         let unit = self.force_unit();
-        let depth = Unit::length(largest(self.samples.iter().map(|s| s.sinkage)));
+        let depth = self.unit("m", largest(self.samples.iter().map(|s| s.sinkage)));
         let along: Vec<f64> = self.samples.iter().map(|s| s.sinkage / depth.size).collect();
         let mut curves = self.force_curves(&along, unit.size, &base);
         curves.extend(self.overlays(PlotKind::ForceSinkage, &along, [depth.size, unit.size]));
@@ -233,7 +256,7 @@ impl BodyHistory<'_> {
 
     fn sinkage(&self) -> Plot {
         let base = self.abscissa();
-        let unit = Unit::length(largest(self.samples.iter().map(|s| s.sinkage)));
+        let unit = self.unit("m", largest(self.samples.iter().map(|s| s.sinkage)));
         let mut curves =
             vec![Curve::solid("sinkage z", 0, self.series(&base.values, unit.size, |s| s.sinkage))];
         if base.is_tow {
@@ -316,7 +339,7 @@ impl BodyHistory<'_> {
 
     fn axle_torque(&self) -> Plot {
         let base = self.abscissa();
-        let unit = Unit::torque(largest(self.samples.iter().map(|s| s.axle_torque)));
+        let unit = self.unit("N m", largest(self.samples.iter().map(|s| s.axle_torque)));
         let raw: Vec<f64> = self.samples.iter().map(|s| s.axle_torque / unit.size).collect();
         let smooth = moving_average(&self.times(), &raw, base.smoothing);
         let pairs =
@@ -338,5 +361,35 @@ impl BodyHistory<'_> {
             ..Chart::default()
         };
         self.plot("axle_torque", chart, "Torque of the soil about the axle, positive when it makes the body roll forward. It vanishes for a free body in a steady tow.")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plots_are_in_the_bodys_own_units_on_request() {
+        let (length, width, unit_weight) = (0.2, 0.05, 16e3);
+        let reference = Reference { length, width, unit_weight, towed: true, ..Reference::default() };
+        let sample = |n: u32| {
+            let u = 0.01 * f64::from(n);
+            BodySample {
+                time: u,
+                displacement: u,
+                drag: 32.0,
+                speed: 1.0,
+                sinkage: 0.2 * u,
+                ..BodySample::default()
+            }
+        };
+        let samples: Vec<BodySample> = (0..=40).map(sample).collect();
+        let steady = Steady::default();
+        let (reference, samples) = (&reference, samples.as_slice());
+        let plots = |units| BodyHistory { reference, samples, steady: &steady, overlays: &[], units }.plots();
+        let own = plots(Units::Dimensionless);
+        assert!(own[0].svg.contains("[γtd²]") && own[0].svg.contains("displacement u [d]"), "{}", own[0].svg);
+        assert!(own.iter().any(|plot| plot.svg.contains("sinkage z [d]")));
+        assert!(plots(Units::Readable)[0].svg.contains("[N]"));
     }
 }

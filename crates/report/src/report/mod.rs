@@ -17,6 +17,7 @@ mod space;
 mod summary;
 
 pub use confidence::{confidence_lines, mean_lines};
+pub use page::ReportWishes;
 pub(crate) use page::{ReportText, write_report};
 pub(crate) use summary::rims;
 pub use summary::{BodySummary, EnergySummary, RimSummary, SoilSummary, Summary};

@@ -13,7 +13,7 @@ use super::space::{Space, space};
 use super::summary::{BodySummary, Summary};
 use crate::page::{lowered, render_page};
 use crate::pictures::{PICTURES, dark_variant};
-use crate::plots::{BodyHistory, Plot, closure_plot, energy_plot, rim_plots};
+use crate::plots::{BodyHistory, Plot, Units, closure_plot, energy_plot, rim_plots};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use results::files::{Inside, Named, OutputError, PLOTS, file_safe, read_text, write_whole};
@@ -39,10 +39,19 @@ pub(crate) struct ReportText {
     pub(crate) resolved: Option<String>,
     /// The case as typed.
     pub(crate) typed: Option<String>,
-    /// Curves of measurements and other runs, for this report only.
-    pub(crate) laid_over: Vec<Overlay>,
+    /// What this report alone shows.
+    pub(crate) wishes: ReportWishes,
+}
+
+/// What a report shows that is built anew; nothing of it is kept in the folder of the results.
+#[derive(Clone, Debug, Default)]
+pub struct ReportWishes {
+    /// Curves of measurements and other runs, laid over the plots.
+    pub laid_over: Vec<Overlay>,
     /// What is to be said of them.
-    pub(crate) remarks: Vec<String>,
+    pub remarks: Vec<String>,
+    /// The units of the plots.
+    pub units: Units,
 }
 
 #[derive(Debug, Default, Serialize)]
@@ -111,8 +120,14 @@ pub(crate) fn write_report(
             continue;
         }
         let body = summary.bodies.get(&reference.name).unwrap_or(&empty);
-        let overlays = [record.overlays.as_slice(), text.laid_over.as_slice()].concat();
-        let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &overlays };
+        let overlays = [record.overlays.as_slice(), text.wishes.laid_over.as_slice()].concat();
+        let view = BodyHistory {
+            reference,
+            samples,
+            steady: &body.steady,
+            overlays: &overlays,
+            units: text.wishes.units,
+        };
         let mut plots = view.plots();
         plots.extend(rim_plots(reference, rims.get(n).map_or(&[], Vec::as_slice)));
         write_plots(dir, &plots)?;
@@ -130,7 +145,7 @@ pub(crate) fn write_report(
     }
     let balance_plots = vec![energy_plot(&history.energy), closure_plot(&record.setting, &history.energy)];
     write_plots(dir, &balance_plots)?;
-    let laid_over = text.remarks.iter().map(|remark| ["laid over".to_owned(), remark.clone()]);
+    let laid_over = text.wishes.remarks.iter().map(|remark| ["laid over".to_owned(), remark.clone()]);
     let page = Page {
         facts: facts(record, summary).into_iter().chain(laid_over).collect(),
         sentences: sentences(record, summary, history),
