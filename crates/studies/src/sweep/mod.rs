@@ -7,9 +7,11 @@
 pub mod collect;
 pub mod evaluate;
 pub mod expand;
+mod figures;
 pub mod id;
 pub mod line;
 pub mod outcome;
+mod part_rows;
 pub mod pool;
 mod quote;
 pub mod report;

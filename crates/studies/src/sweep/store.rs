@@ -4,7 +4,7 @@ use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::Outcome;
 use crate::files;
-use crate::study::Study;
+use crate::study::{Study, copy_name};
 use coulter::formats;
 use coulter::output::{FileError, Inside};
 use serde::{Deserialize, Serialize};
@@ -124,6 +124,11 @@ impl Store {
             std::path::absolute(&study.case_path).unwrap_or_else(|_| PathBuf::from(&study.case_path));
         files::write(&store.inside(STUDY), text.as_bytes())?;
         files::write(&store.inside(CASE), study.case_text.as_bytes())?;
+        for chart in &study.charts {
+            for (n, measured) in chart.measured.iter().enumerate() {
+                store.write(&copy_name(&chart.name, n), &measured.bytes)?;
+            }
+        }
         let origin = Origin { format: FORMAT, study: study.name.clone(), case: source.display().to_string() };
         let origin = serde_json::to_string_pretty(&origin).unwrap_or_default() + "\n";
         files::write(&store.inside(ORIGIN), origin.as_bytes())?;
