@@ -5,7 +5,7 @@ use super::label::{Piece, Script, plain};
 use crate::plots::{padded_range, tick_label};
 
 /// Ticks of an axis that are wanted (chosen): one for each of these lengths [pt].
-const APART: [f64; 2] = [42.0, 30.0];
+const APART: [f64; 2] = [46.0, 30.0];
 /// Part of the largest value below which an axis begins at zero (chosen).
 const FROM_ZERO: f64 = 0.4;
 /// Decades in which numbers are written out on a logarithmic axis (chosen).

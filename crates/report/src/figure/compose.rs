@@ -20,6 +20,8 @@ const EDGE: f64 = 0.25;
 /// Height of digits, and of a line of a label [em].
 const DIGITS: f64 = 0.72;
 const LINE: f64 = 1.2;
+/// Part of the height of the page that a legend above the axes may take (chosen).
+const MOST_LEGEND: f64 = 0.25;
 /// Width of the frame and its ticks [pt].
 const FRAME: f64 = 0.6;
 /// Rooms above the data, over their range, that are tried for a legend (chosen).
@@ -27,6 +29,8 @@ const ROOMS: [f64; 4] = [0.0, 0.12, 0.25, 0.4];
 
 /// Places for everything but the series.
 struct Layout {
+    /// Width and height of the page [pt].
+    size: [f64; 2],
     frame: Frame,
     legend: Option<(Block, [f64; 2])>,
     y_label: Vec<LaidText>,
@@ -35,10 +39,10 @@ struct Layout {
 /// The page of a figure.
 pub(super) fn compose(figure: &Figure) -> Drawing {
     let width = figure.style.width * POINTS;
-    let mut drawing = Drawing { size: [width, width * figure.style.aspect], items: Vec::new() };
     let looks = looks(figure);
     let legend = Legend::of(figure, &looks);
-    let layout = layout(figure, &legend, drawing.size);
+    let layout = layout(figure, &legend, [width, width * figure.style.aspect]);
+    let mut drawing = Drawing { size: layout.size, items: Vec::new() };
     draw_series(&mut drawing, figure, &layout.frame, &looks);
     draw_frame(&mut drawing, &layout.frame);
     draw_numbers(&mut drawing, figure, &layout.frame);
@@ -85,17 +89,16 @@ fn layout(figure: &Figure, legend: &Legend, size: [f64; 2]) -> Layout {
     }
 }
 
-/// With the legend above the axes.
-fn outside(figure: &Figure, legend: &Legend, size: [f64; 2]) -> Layout {
+/// With the legend above the axes; the page grows where it would take the room of the axes.
+fn outside(figure: &Figure, legend: &Legend, [width, height]: [f64; 2]) -> Layout {
     let em = figure.style.font_size;
-    let before = framed(figure, size, 0.0, 0.0);
-    let [left, _, right, _] = before.frame.rectangle;
-    let block = legend.block_within(right - left);
-    let mut layout = framed(figure, size, 0.0, block.size[1] + 0.4 * em);
+    let block = legend.block_within(width - 2.0 * EDGE * em);
+    let grown = (block.size[1] - MOST_LEGEND * height).max(0.0);
+    let mut layout = framed(figure, [width, height + grown], 0.0, block.size[1] + 0.4 * em);
     let [left, top, right, _] = layout.frame.rectangle;
     // In the middle of the axes, unless it is wider than they are.
-    let start = (0.5 * (left + right - block.size[0])).clamp(0.0, (size[0] - block.size[0]).max(0.0));
-    let corner = [start, top - 0.4 * em - block.size[1]];
+    let start = (0.5 * (left + right - block.size[0])).min(width - EDGE * em - block.size[0]);
+    let corner = [start.max(EDGE * em), top - 0.4 * em - block.size[1]];
     layout.legend = Some((block, corner));
     layout
 }
@@ -130,7 +133,7 @@ fn framed(figure: &Figure, size: [f64; 2], room: f64, above: f64) -> Layout {
         axes = scaled(figure, [rectangle[2] - rectangle[0], rectangle[3] - rectangle[1]], room);
     }
     let [x, y] = axes;
-    Layout { frame: Frame { x, y, rectangle }, legend: None, y_label }
+    Layout { size, frame: Frame { x, y, rectangle }, legend: None, y_label }
 }
 
 /// A label in one line, or in two where one is too long.

@@ -54,8 +54,9 @@ pub(super) fn pieces(label: &str) -> Vec<Piece> {
     let words: Vec<&str> = words.split(' ').filter(|word| !word.is_empty()).collect();
     for (n, word) in words.iter().enumerate() {
         let follows_number = n > 0 && is_number(words[n - 1]);
-        if follows_number && *word == "deg" {
+        if let Some(rest) = word.strip_prefix("deg").filter(|rest| follows_number && rest.len() < 2) {
             found.letters("°", false);
+            found.letters(rest, false);
             continue;
         }
         if n > 0 {
@@ -219,6 +220,7 @@ mod tests {
             ("slip s [–]", "slip *s*"),
             ("φ = 32.5 deg", "*φ* = 32.5°"),
             ("d = 0.2 m", "*d* = 0.2 m"),
+            ("φ = 30 deg, W = 20 N (doubtful)", "*φ* = 30°, *W* = 20 N (doubtful)"),
             ("weight W/(γtd²)", "weight *W*/(*γtd*²)"),
             ("thickness t/d", "thickness *t*/*d*"),
             ("Ē = 20", "*E|* = 20"),

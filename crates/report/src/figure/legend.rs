@@ -194,9 +194,11 @@ pub(super) fn entries(figure: &Figure, looks: &[Look]) -> Vec<NamedLook> {
             found.push(NamedLook::of(full_name(series), **look));
         }
     }
-    let kinds = models.iter().filter(|kind| of(**kind).next().is_some()).count();
-    if is_factored && kinds > 1 {
-        for kind in models {
+    // What has no level is named already.
+    let has_level = |kind: &SeriesKind| of(*kind).any(|(series, _)| !series.level.is_empty());
+    let kinds: Vec<SeriesKind> = models.into_iter().filter(has_level).collect();
+    if is_factored && kinds.len() > 1 {
+        for kind in kinds {
             let look = of(kind).next().map(|(_, look)| black(**look));
             if let Some((look, name)) = look.zip(sources(kind).first()) {
                 found.push(NamedLook::of(plain(name), look));

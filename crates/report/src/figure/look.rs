@@ -76,9 +76,9 @@ pub(super) fn looks(figure: &Figure) -> Vec<Look> {
     // the level.
     let number = |series: &FigureSeries| {
         let same = || figure.series.iter().filter(|other| other.kind == series.kind);
-        let level = levels.iter().position(|level| *level == series.level).unwrap_or(0);
         if names(same().map(|other| other.source.as_str())).len() < 2 {
-            return level;
+            let own = names(same().map(|other| other.level.as_str()));
+            return own.iter().position(|level| *level == series.level).unwrap_or(0);
         }
         let mut pairs: Vec<[&str; 2]> = Vec::new();
         for other in same() {
@@ -94,6 +94,8 @@ pub(super) fn looks(figure: &Figure) -> Vec<Look> {
         let colour = match series.kind {
             SeriesKind::Measured => [0; 3],
             _ if !figure.style.is_coloured => [0; 3],
+            // What has no level beside what has one is of all of them.
+            _ if levels.len() > 1 && series.level.is_empty() => [0; 3],
             _ => rgb(CURVES[if levels.len() > 1 { place } else { number } % CURVES.len()]),
         };
         let is_line = series.kind == SeriesKind::Line;

@@ -8,18 +8,21 @@ use super::look::{Look, draw_mark};
 /// Distance on the page below which a point of a line shows nothing new [pt].
 const VISIBLE: f64 = 0.12;
 
-/// Draws all series into the axes: lines first, then error bars, then marks, so that none hides a mark.
+/// Draws all series into the axes: dots, lines, error bars, marks, so that none hides a mark.
 pub(super) fn draw_series(drawing: &mut Drawing, figure: &Figure, frame: &Frame, looks: &[Look]) {
     let all = || figure.series.iter().zip(looks);
-    for (series, look) in all().filter(|(series, _)| series.kind == SeriesKind::Line) {
+    let of = |is_wanted: fn(SeriesKind) -> bool| all().filter(move |(series, _)| is_wanted(series.kind));
+    for (series, look) in of(|kind| kind == SeriesKind::Dots) {
+        draw_marks(drawing, figure, frame, series, look);
+    }
+    for (series, look) in of(|kind| kind == SeriesKind::Line) {
         for part in lines(figure, frame, series) {
             let mut segments = vec![Segment::Move(part[0])];
             segments.extend(part[1..].iter().map(|at| Segment::Line(*at)));
             drawing.path("curve", segments, Some(look.pen(figure.style.line_width)), None);
         }
     }
-    let others = || all().filter(|(series, _)| series.kind != SeriesKind::Line);
-    for (series, look) in others() {
+    for (series, look) in of(|kind| kind != SeriesKind::Line) {
         let pen = Pen { colour: look.colour, width: 0.7 * figure.style.line_width, dashes: Vec::new() };
         for point in &series.points {
             for bar in bars(figure, frame, point) {
@@ -27,11 +30,15 @@ pub(super) fn draw_series(drawing: &mut Drawing, figure: &Figure, frame: &Frame,
             }
         }
     }
-    for (series, look) in others() {
-        for point in &series.points {
-            if let Some(at) = frame.at(figure, point.at).filter(|at| frame.contains(*at)) {
-                draw_mark(drawing, look, at, figure.style.mark_size, point.is_doubtful());
-            }
+    for (series, look) in of(|kind| matches!(kind, SeriesKind::Computed | SeriesKind::Measured)) {
+        draw_marks(drawing, figure, frame, series, look);
+    }
+}
+
+fn draw_marks(drawing: &mut Drawing, figure: &Figure, frame: &Frame, series: &FigureSeries, look: &Look) {
+    for point in &series.points {
+        if let Some(at) = frame.at(figure, point.at).filter(|at| frame.contains(*at)) {
+            draw_mark(drawing, look, at, figure.style.mark_size, point.is_doubtful());
         }
     }
 }

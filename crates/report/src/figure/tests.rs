@@ -125,6 +125,30 @@ fn a_legend_without_room_inside_stands_above_the_axes() {
 }
 
 #[test]
+fn many_series_make_the_page_grow() {
+    let mut figure = sample();
+    for form in ["a form", "another form", "a third form", "a form with a long name of its own"] {
+        for level in ["φ = 30 deg", "φ = 35 deg", "φ = 40 deg"] {
+            let shift = figure.series.len() as f64;
+            figure.series.push(series(SeriesKind::Line, level, form, move |x| 0.1 * shift + 0.0 * x));
+        }
+    }
+    let drawing = compose(&figure);
+    assert!(drawing.size[1] > 1.1 * 0.75 * drawing.size[0], "{:?}", drawing.size);
+    assert_eq!(misplaced(&drawing), Vec::<String>::new());
+}
+
+#[test]
+fn what_has_no_level_is_named_once() {
+    let mut figure = sample();
+    figure.series.retain(|one| one.kind == SeriesKind::Computed);
+    figure.series.push(series(SeriesKind::Line, "", "running median", |x| x));
+    let named = texts(&compose(&figure));
+    assert_eq!(named.iter().filter(|(words, _)| words == "running median").count(), 1);
+    assert!(!named.iter().any(|(words, _)| words == "solver"), "{named:?}");
+}
+
+#[test]
 fn a_given_place_of_the_legend_is_kept() {
     let place = |word: &str| {
         let drawing = compose(&Figure { legend: LegendPlace::of_word(word), ..sample() });

@@ -6,7 +6,7 @@ use crate::files;
 use crate::history_columns;
 use crate::responses::responses;
 use coulter::case::form::{Entry, Problems, join, section};
-use coulter::case::quantity::parse_any;
+use coulter::case::quantity::{Dimension, parse_any};
 use coulter::case::table_file::{TableFile, TableText, plain_name};
 use std::path::{Path, PathBuf};
 
@@ -150,8 +150,8 @@ fn column(file: &TableFile, wanted: &Wanted, ending: &str) -> Result<Option<Vec<
 /// How many units of the chart a unit of the file is; `None` where they measure different things.
 fn factor(given: &str, wanted: &str) -> Option<f64> {
     let size = |unit: &str| match unit {
-        "" | "-" | "–" | "1" => parse_any("1").ok(),
-        "%" => parse_any("0.01").ok(),
+        "" | "-" | "–" | "1" => Some((1.0, Dimension([0; 4]))),
+        "%" => Some((0.01, Dimension([0; 4]))),
         unit => parse_any(&format!("1 {unit}")).ok(),
     };
     if given == wanted {

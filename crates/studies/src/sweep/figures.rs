@@ -58,20 +58,20 @@ pub(super) fn figures(store: &Store, study: &Study, table: &Table) -> FigureSet 
     set
 }
 
-/// Writes the files of all figures; returns their paths.
+/// Writes the files of all figures; returns the paths of the documents.
 ///
 /// # Errors
 /// Where one cannot be written.
 pub(super) fn write(store: &Store, all: &[(Figure, FigureFiles)]) -> Result<Vec<PathBuf>, StudyError> {
     let mut paths = Vec::new();
     for (Figure { name, .. }, files) in all {
-        paths.push(store.write(&format!("figures/{name}.svg"), files.svg.as_bytes())?);
+        store.write(&format!("figures/{name}.svg"), files.svg.as_bytes())?;
+        store.write(&format!("figures/{name}.csv"), files.csv.as_bytes())?;
         paths.push(store.write(&format!("figures/{name}.pdf"), &files.pdf)?);
-        paths.push(store.write(&format!("figures/{name}.csv"), files.csv.as_bytes())?);
     }
     if !all.is_empty() {
         let figures: Vec<Figure> = all.iter().map(|(figure, _)| figure.clone()).collect();
-        paths.push(store.write("figures/figures.py", script(&figures).as_bytes())?);
+        store.write("figures/figures.py", script(&figures).as_bytes())?;
     }
     Ok(paths)
 }
