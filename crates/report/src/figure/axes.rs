@@ -216,7 +216,7 @@ mod tests {
         wide.x.logarithmic = true;
         wide.y.logarithmic = true;
         let [x, y] = scaled(&wide, [200.0, 140.0], 0.0);
-        assert!(labels(&x).contains(&"10\u{2212}6".to_owned()), "{:?}", labels(&x));
+        assert!(labels(&x).contains(&"10\u{2212}4".to_owned()), "{:?}", labels(&x));
         assert_eq!(labels(&y), ["0.1", "1", "10"]);
     }
 

@@ -133,12 +133,16 @@ pub(super) fn draw_mark(drawing: &mut Drawing, look: &Look, at: [f64; 2], size: 
             drawing.path("mark", outline(number, at, 0.5 * size), Some(pen), Some(fill));
         }
         Some(Mark::Measured(number)) => {
-            // White below it, so that it is seen on a filled mark, too.
-            let halo = Pen { colour: [255; 3], width: 2.6 * pen.width, dashes: Vec::new() };
-            let segments = strokes(number, at, 0.6 * size);
-            drawing.path("halo", segments.clone(), Some(halo), None);
-            drawing.path("cross", segments, Some(pen), None);
+            drawing.path("cross", strokes(number, at, 0.6 * size), Some(pen), None);
         }
+    }
+}
+
+/// Draws white below the mark of a measurement, so that it is seen on a filled mark, too.
+pub(super) fn draw_halo(drawing: &mut Drawing, look: &Look, at: [f64; 2], size: f64) {
+    if let Some(Mark::Measured(number)) = look.mark {
+        let pen = Pen { colour: [255; 3], width: 0.45 * size, dashes: Vec::new() };
+        drawing.path("halo", strokes(number, at, 0.6 * size), Some(pen), None);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::axes::Frame;
 use super::content::{Figure, FigurePoint, FigureSeries, SeriesKind};
 use super::drawing::{Drawing, Pen, Segment};
-use super::look::{Look, draw_mark};
+use super::look::{Look, draw_halo, draw_mark};
 
 /// Distance on the page below which a point of a line shows nothing new [pt].
 const VISIBLE: f64 = 0.12;
@@ -11,45 +11,55 @@ const VISIBLE: f64 = 0.12;
 /// Draws all series into the axes: dots, lines, error bars, marks, so that none hides a mark.
 pub(super) fn draw_series(drawing: &mut Drawing, figure: &Figure, frame: &Frame, looks: &[Look]) {
     let all = || figure.series.iter().zip(looks);
-    let of = |is_wanted: fn(SeriesKind) -> bool| all().filter(move |(series, _)| is_wanted(series.kind));
-    for (series, look) in of(|kind| kind == SeriesKind::Dots) {
+    let of = |kind: SeriesKind| all().filter(move |(series, _)| series.kind == kind);
+    for (series, look) in of(SeriesKind::Dots) {
         draw_marks(drawing, figure, frame, series, look);
     }
-    for (series, look) in of(|kind| kind == SeriesKind::Line) {
+    for (series, look) in of(SeriesKind::Line) {
         for part in lines(figure, frame, series) {
             let mut segments = vec![Segment::Move(part[0])];
             segments.extend(part[1..].iter().map(|at| Segment::Line(*at)));
             drawing.path("curve", segments, Some(look.pen(figure.style.line_width)), None);
         }
     }
-    for (series, look) in of(|kind| kind != SeriesKind::Line) {
-        let pen = Pen { colour: look.colour, width: 0.7 * figure.style.line_width, dashes: Vec::new() };
-        for point in &series.points {
-            for bar in bars(figure, frame, point) {
+    for kind in [SeriesKind::Dots, SeriesKind::Computed, SeriesKind::Measured] {
+        for (series, look) in of(kind) {
+            for (at, _) in places(figure, frame, series) {
+                draw_halo(drawing, look, at, figure.style.mark_size);
+            }
+            let pen = Pen { colour: look.colour, width: 0.7 * figure.style.line_width, dashes: Vec::new() };
+            for bar in series.points.iter().flat_map(|point| bars(figure, frame, point)) {
                 draw_bar(drawing, bar, 0.3 * figure.style.mark_size, &pen);
             }
         }
-    }
-    for (series, look) in of(|kind| matches!(kind, SeriesKind::Computed | SeriesKind::Measured)) {
-        draw_marks(drawing, figure, frame, series, look);
+        if kind != SeriesKind::Dots {
+            of(kind).for_each(|(series, look)| draw_marks(drawing, figure, frame, series, look));
+        }
     }
 }
 
 fn draw_marks(drawing: &mut Drawing, figure: &Figure, frame: &Frame, series: &FigureSeries, look: &Look) {
-    for point in &series.points {
-        if let Some(at) = frame.at(figure, point.at).filter(|at| frame.contains(*at)) {
-            draw_mark(drawing, look, at, figure.style.mark_size, point.is_doubtful());
-        }
+    for (at, is_hollow) in places(figure, frame, series) {
+        draw_mark(drawing, look, at, figure.style.mark_size, is_hollow);
     }
+}
+
+/// Where the points of a series lie inside the axes, and whether each is doubtful.
+fn places(figure: &Figure, frame: &Frame, series: &FigureSeries) -> Vec<([f64; 2], bool)> {
+    let place = |point: &FigurePoint| {
+        let at = frame.at(figure, point.at).filter(|at| frame.contains(*at))?;
+        Some((at, point.is_doubtful()))
+    };
+    series.points.iter().filter_map(place).collect()
 }
 
 /// Places on the page that a legend must not hide: no two neighbours on a line are farther apart than `step`
 /// [pt].
 pub(super) fn occupied(figure: &Figure, frame: &Frame, step: f64) -> Vec<[f64; 2]> {
-    let mut places = Vec::new();
+    let mut found = Vec::new();
     let mut along = |from: [f64; 2], to: [f64; 2]| {
         let count = ((to[0] - from[0]).hypot(to[1] - from[1]) / step).ceil().max(1.0);
-        places.extend((0..=count as usize).map(|n| {
+        found.extend((0..=count as usize).map(|n| {
             let part = n as f64 / count;
             [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])]
         }));
@@ -65,12 +75,10 @@ pub(super) fn occupied(figure: &Figure, frame: &Frame, step: f64) -> Vec<[f64; 2
             for [from, to] in bars(figure, frame, point) {
                 along(from, to);
             }
-            if let Some(at) = frame.at(figure, point.at).filter(|at| frame.contains(*at)) {
-                along(at, at);
-            }
         }
+        places(figure, frame, series).into_iter().for_each(|(at, _)| along(at, at));
     }
-    places
+    found
 }
 
 /// The lines of a series on the page, cut where they leave the axes and where a point has no place.

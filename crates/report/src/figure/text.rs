@@ -10,7 +10,7 @@ const LOW: f64 = 0.16;
 const HIGH: f64 = 0.36;
 /// Thickness of a bar above a letter, and its gap to it [em].
 const BAR: f64 = 0.055;
-const BAR_GAP: f64 = 0.11;
+const BAR_GAP: f64 = 0.13;
 /// Slant of the italic face: how far a letter leans over its height.
 const SLANT: f64 = 0.21;
 
