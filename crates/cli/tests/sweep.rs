@@ -129,6 +129,33 @@ fn a_study_that_is_killed_ends_with_the_same_bytes() {
 }
 
 #[test]
+fn figures_show_runs_closed_forms_and_measured_points() {
+    let figures = "[chart.drag]\nx = \"phi\"\ny = \"F_H_bar\"\nmeasured = [\"data/tests.csv\"]\nlegend = \"top left\"\n\
+                   [chart.path]\npart = \"runs\"\nhistory = true\nx = \"time\"\ny = \"Z\"\nfamily = \"phi\"\n";
+    let sandbox = Sandbox::new(&format!("{STUDY}{figures}"));
+    std::fs::create_dir(sandbox.path("data")).unwrap();
+    std::fs::write(sandbox.path("data/tests.csv"), "phi [deg],F_H_bar [-]\n31,1.5\n36,2\n").unwrap();
+    sandbox.run(&["sweep", "study.toml", "-o", "out"], 0);
+    let read = |name: &str| std::fs::read_to_string(sandbox.path("out/figures").join(name)).unwrap();
+    let drag = read("drag.csv");
+    for start in ["computed,,solver,30,", "line,,closed form,30,", "measured,,tests,31,,,1.5,"] {
+        assert!(drag.lines().any(|line| line.starts_with(start)), "{start}: {drag}");
+    }
+    let path = read("path.csv");
+    assert!(path.starts_with("kind,level,source,time [s],"), "{path}");
+    for phi in [30, 35, 40] {
+        let level = format!("line,phi = {phi} deg");
+        assert!(path.lines().filter(|line| line.starts_with(&level)).count() > 3, "{path}");
+    }
+    let pdf = std::fs::read(sandbox.path("out/figures/path.pdf")).unwrap();
+    assert!(pdf.starts_with(b"%PDF") && read("figures.py").contains("\"path\""));
+    // The folder has a copy of what was measured: it is collected wherever the study lies.
+    std::fs::remove_dir_all(sandbox.path("data")).unwrap();
+    sandbox.run(&["sweep", "collect", "out"], 0);
+    assert_eq!(read("drag.csv"), drag);
+}
+
+#[test]
 fn what_has_no_results_is_listed_with_its_reason() {
     let refused = STUDY.replace("\"40 deg\"]", "\"40 deg\"]\n[set]\n\"soil.dilation_angle\" = \"33 deg\"\n");
     let closed = refused.split("[part.closed]").next().unwrap();

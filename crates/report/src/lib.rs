@@ -1,9 +1,11 @@
-//! What is made of results: charts, pictures, views, the page of a run, and the facade of its folder.
+//! What is made of results: charts, figures for print, pictures, views, the page of a run, and the facade of
+//! its folder.
 //!
 //! [`Results`] owns the folder of a run and what writes into it. Nothing depends on the report but the mesh
 //! study, the intervals and the facade.
 
 mod confidence;
+pub mod figure;
 mod page;
 pub mod pictures;
 pub mod plots;

@@ -6,6 +6,7 @@ pub mod charts;
 pub mod comparison;
 pub mod expression;
 pub mod files;
+pub mod history_columns;
 mod laid_over;
 pub mod measured;
 pub mod page;

@@ -126,13 +126,13 @@ const LISTED: [[&str; 3]; 20] = [
     ["peak_drag", "N", "largest drag"],
     ["peak_vertical", "N", "largest vertical force"],
     ["drag_noise", "-", "scatter of the drag over its mean"],
-    ["F_H_bar", "-", "drag F_H/(γtd²)"],
-    ["F_V_bar", "-", "vertical force F_V/(γtd²)"],
-    ["Z", "-", "sinkage z/d"],
-    ["t_bar", "-", "thickness t/d"],
-    ["W_bar", "-", "weight W/(γtd²)"],
-    ["E_bar", "-", "stiffness E/(γd)"],
-    ["c_bar", "-", "cohesion c/(γd)"],
+    ["F_H_bar", "-", "dimensionless drag F̄_H"],
+    ["F_V_bar", "-", "dimensionless vertical force F̄_V"],
+    ["Z", "-", "dimensionless sinkage Z"],
+    ["t_bar", "-", "dimensionless thickness t̄"],
+    ["W_bar", "-", "dimensionless weight W̄"],
+    ["E_bar", "-", "dimensionless stiffness Ē"],
+    ["c_bar", "-", "dimensionless cohesion c̄"],
 ];
 
 /// All responses, in the order of the table: what is listed, and every other quantity of a run.

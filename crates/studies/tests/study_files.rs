@@ -253,6 +253,37 @@ fn broken_studies_are_refused_with_place_and_cure() {
 }
 
 #[test]
+fn broken_figures_are_refused_with_place_and_cure() {
+    let part = "part = \"grid\"\n";
+    let with = |line: &str, words: &[&str]| refused(part, &format!("{part}{line}\n"), words);
+    with("columns = 3", &["out of range", "from 1 to 2"]);
+    with("legend = \"top lift\"", &["did you mean \"top left\"?"]);
+    with("x_range = [1, 1]", &["cannot have these ends"]);
+    with("scale = \"logarithmic\"\ny_range = [0, 1]", &["cannot have these ends", "above 0"]);
+    with("x_range = [\"1 m\", \"2 m\"]", &["two numbers"]);
+    with("measured = [\"none.csv\"]", &["none.csv", "relative to the folder"]);
+    with("measured = [\"disc.toml\"]", &["no column `phi` and `drag`", "name its columns"]);
+    with("measured = [\"disc.toml\"]\nmeasured_labels = [\"a\", \"b\"]", &["2 labels of 1 measured"]);
+    with("history = true", &["no run is part of the chart", "solver"]);
+    refused("x = \"phi\"", "history = true\nx = \"tim\"", &["no column `tim`", "did you mean `time`?"]);
+    refused("[chart.drag]", "[style]\nwidth_one = \"2 m\"\n[chart.drag]", &["out of range"]);
+    refused("[chart.drag]", "[style]\nwidth_one = 90\n[chart.drag]", &["a bare number has no unit"]);
+    refused("[chart.drag]", "[style]\ncolor = \"black\"\n[chart.drag]", &["did you mean `colour`?"]);
+}
+
+#[test]
+fn the_style_of_figures_is_read() {
+    let style = study(STUDY).unwrap().style;
+    assert_eq!([style.of(1).width, style.of(2).width], [90.0, 190.0]);
+    assert_eq!([style.of(1).aspect, style.of(2).aspect], [0.75, 0.45]);
+    let own =
+        "[style]\nwidth_one = \"8.5 cm\"\naspect = 0.8\nfont_size = 9\ncolour = \"black\"\n[chart.drag]";
+    let style = study(&STUDY.replace("[chart.drag]", own)).unwrap().style.of(1);
+    assert!((style.width - 85.0).abs() < 1e-9 && !style.is_coloured);
+    assert_eq!([style.aspect, style.font_size], [0.8, 9.0]);
+}
+
+#[test]
 fn a_study_that_varies_nothing_or_is_empty_is_refused() {
     let error = study("format = 2\ncase = \"disc.toml\"\n").unwrap_err();
     assert!(error.problems.iter().any(|p| p.message.contains("varies nothing")), "{error:?}");

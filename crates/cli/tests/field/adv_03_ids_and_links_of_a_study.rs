@@ -19,7 +19,7 @@ fn an_id_is_no_path() {
 
 #[test]
 fn linked_folders_of_a_study_are_refused() {
-    for name in ["outcomes", "runs", "charts", "tables"] {
+    for name in ["outcomes", "runs", "charts", "figures", "tables"] {
         let desk = Desk::with(&[("c.toml", CASE), ("s.toml", STUDY)]);
         desk.expect(0, &["sweep", "expand", "s.toml", "-o", "so"]);
         let (outside, there) = (desk.path().join("outside"), desk.path().join("so").join(name));

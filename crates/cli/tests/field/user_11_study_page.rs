@@ -104,34 +104,25 @@ fn no_class_of_a_cell_hides_its_text() {
 }
 
 #[test]
-fn a_chart_of_many_series_is_read_without_colour() {
-    let desk = Desk::with(&[("disc.toml", DISC), ("study.toml", STUDY)]);
+fn a_figure_of_many_series_is_read_without_colour() {
+    let black = format!("{STUDY}legend = \"none\"\n[style]\ncolour = \"black\"\n");
+    let desk = Desk::with(&[("disc.toml", DISC), ("study.toml", &black)]);
     desk.expect(0, &["sweep", "study.toml", "-o", "out"]);
-    let svg = desk.read("out/charts/drag.svg");
+    let svg = desk.read("out/figures/drag.svg");
     let mut looks = BTreeSet::new();
-    let mut lines = svg.lines().peekable();
     let mut count = 0;
-    while let Some(line) = lines.next() {
-        let Some((_, rest)) = line.split_once("data-name=\"φ = ") else { continue };
-        let dashes = rest
-            .split("stroke-dasharray=\"")
-            .nth(1)
-            .and_then(|text| text.split('"').next())
-            .unwrap_or_default();
-        let mark = lines.peek().and_then(|next| next.split(" d=\"").nth(1)).unwrap_or_default();
-        let shape: Vec<&str> = mark
-            .split('"')
-            .step_by(2)
-            .take(2)
-            .map(|part| if part == "none" { "open" } else { part })
-            .collect();
+    for line in svg.lines().filter(|line| line.contains("class=\"curve\"")) {
+        let (_, look) = line.split_once("fill=\"none\"").unwrap();
+        assert!(look.contains("stroke=\"#000000\""), "{look}");
         count += 1;
-        assert!(
-            looks.insert(format!("{dashes} {shape:?} {}", mark.contains("\"none\""))),
-            "{line} looks like another"
-        );
+        assert!(looks.insert(look.to_owned()), "{line} looks like another");
     }
     assert!(count > 7, "only {count} series");
+    // The page shows the same, beside its files.
+    let page = desk.read("out/report.html");
+    assert!(page.contains("href=\"figures/drag.pdf\"") && page.contains("class=\"curve\""));
+    let csv = desk.read("out/figures/drag.csv");
+    assert!(csv.starts_with("kind,level,source,Z [-],Z_low [-],Z_high [-],F_H_bar [-],"), "{csv}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ pub use self::forecast::{ForecastFiles, overlays, write_forecast};
 pub use input::readable::digits;
 pub use report::{
     BodySummary, Colouring, EnergySummary, ImageFormat, RenderOptions, ReportWishes, Results, RimSummary,
-    SoilSummary, Summary, Viewpoint, confidence_lines, lowered, pictures, plots, rebuild_report,
+    SoilSummary, Summary, Viewpoint, confidence_lines, figure, lowered, pictures, plots, rebuild_report,
     rebuild_report_with, render, render_page,
 };
 pub use results::overlay::{Overlay, PlotKind};

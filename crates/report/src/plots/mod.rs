@@ -15,10 +15,10 @@ mod scale;
 
 pub use bars::{Bar, BarGroup, Bars};
 pub use chart::Chart;
-pub(crate) use colour::{ColourMap, Rgb};
+pub(crate) use colour::{CURVES, ColourMap, Rgb};
 pub use curve::{Curve, Level, Stroke};
 pub use energy_plot::{closure_plot, energy_plot};
 pub(crate) use mesh_plot::MeshPlot;
 pub use plot::{BodyHistory, Plot, Units};
 pub use rim_plot::rim_plots;
-pub(crate) use scale::{tick_label, ticks};
+pub(crate) use scale::{padded_range, tick_label, ticks};

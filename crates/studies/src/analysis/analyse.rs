@@ -1,4 +1,4 @@
-//! The analysis of a study: every response of every model, and the charts that were asked for.
+//! The analysis of a study: every response of every model.
 
 use super::effects::{EffectRow, effect_table};
 use super::factors::{VariedFactor, varied_factors};
@@ -7,7 +7,7 @@ use super::named::NamedTable;
 use super::request::AnalysisRequest;
 use super::response::{Answer, Question};
 use super::sample::Sample;
-use crate::charts::{ChartRequest, NamedChart, collapse_chart, family_chart, models};
+use crate::charts::{ChartRequest, NamedChart, collapse_chart, models};
 use crate::table::{Column, Table, Values};
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ const COLLAPSE: [&str; 2] = ["F_H_bar", "Z"];
 /// What a study says.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Analysis {
-    /// Charts: those asked for first. Names are unique.
+    /// Charts. Names are unique.
     pub charts: Vec<NamedChart>,
     /// `indices`, and `effects_…` for each response with main effects.
     pub tables: Vec<NamedTable>,
@@ -33,15 +33,6 @@ pub struct Analysis {
 pub fn analyse(table: &Table, request: &AnalysisRequest) -> Analysis {
     let table = &table.without_unused();
     let mut analysis = Analysis::default();
-    for chart in &request.charts {
-        let made = if chart.collapse { collapse_chart(table, chart) } else { family_chart(table, chart) };
-        match made {
-            Ok(made) => analysis.charts.push(made),
-            Err(why) => analysis
-                .remarks
-                .push(format!("The chart of {} over {} is not drawn: {why}.", chart.y, chart.x)),
-        }
-    }
     analysis.charts.extend(usual_collapse(table, request));
     let factors = varied_factors(table);
     if factors.is_empty() {
@@ -124,7 +115,7 @@ fn usual_collapse(table: &Table, request: &AnalysisRequest) -> Option<NamedChart
         present.any(|other| other != first).then_some(())
     };
     varies(x).and(varies(y))?;
-    if request.charts.iter().any(|chart| chart.collapse && chart.y == y && chart.x == x) {
+    if request.has_collapse {
         return None;
     }
     let family = if models(table).len() > 1 {
@@ -230,26 +221,20 @@ mod tests {
         let Values::Numbers(drag) = &mut table.columns[4].values else { panic!("numbers") };
         // A broken run keeps its figure.
         drag[3] = Some(1e9);
-        let drawn = |table: &Table| {
-            let chart = ChartRequest { x: "angle".into(), y: "drag".into(), ..ChartRequest::default() };
-            analyse(table, &AnalysisRequest { charts: vec![chart], ..AnalysisRequest::default() })
-        };
+        let drawn = |table: &Table| analyse(table, &AnalysisRequest::default());
         assert_eq!(drawn(&table), drawn(&grid()));
     }
 
     #[test]
-    fn charts_and_responses_that_are_not_there_are_remarked() {
-        let chart = |x: &str| ChartRequest { x: x.into(), y: "drag".into(), ..ChartRequest::default() };
+    fn responses_that_are_not_there_are_remarked() {
         let request = AnalysisRequest {
-            charts: vec![chart("angle"), chart("angle"), chart("nothing")],
+            has_collapse: false,
             responses: vec!["lift".into()],
             models: vec!["solver".into()],
             seed: 0,
         };
         let analysis = analyse(&grid(), &request);
-        let names: Vec<&str> = analysis.charts.iter().map(|chart| chart.name.as_str()).collect();
-        assert_eq!(names, ["drag_over_angle", "drag_over_angle_2"]);
-        assert_eq!(analysis.remarks.len(), 2);
+        assert_eq!((analysis.charts.len(), analysis.remarks.len()), (0, 1));
         assert!(analyse(&Table::default(), &AnalysisRequest::default()).remarks[0].contains("No factor"));
     }
 }

@@ -1,7 +1,5 @@
 //! What a study asks of its analysis.
 
-use crate::charts::ChartRequest;
-
 /// What to analyse.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AnalysisRequest {
@@ -9,8 +7,8 @@ pub struct AnalysisRequest {
     pub responses: Vec<String>,
     /// Models by name; empty: all. Each costs a surrogate for each response, a second or a few.
     pub models: Vec<String>,
-    /// Charts besides those that every study gets.
-    pub charts: Vec<ChartRequest>,
+    /// Whether the collapse of drag over depth, both dimensionless, is shown elsewhere.
+    pub has_collapse: bool,
     /// Seed of the random numbers of the indices.
     pub seed: u64,
 }

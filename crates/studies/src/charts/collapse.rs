@@ -5,7 +5,7 @@ use super::classes::classes;
 use super::family::ChartRequest;
 use super::label::{axis_label, class_name, plain_label};
 use super::named::{NamedChart, file_name};
-use crate::statistics::collapse::collapse;
+use crate::statistics::collapse::{Collapse, collapse};
 use crate::table::Table;
 use coulter::output::digits;
 use coulter::output::plots::{Chart, Curve, Stroke};
@@ -25,6 +25,7 @@ pub fn collapse_chart(table: &Table, request: &ChartRequest) -> Result<NamedChar
         rows.iter().filter_map(|row| Some([xs[*row]?, ys[*row]?])).collect::<Vec<[f64; 2]>>()
     };
     let found = collapse(&both(&all)).map_err(|error| error.to_string())?;
+    let scatter = scatter(&found);
     let mut curves = Vec::new();
     match family {
         None => {
@@ -53,17 +54,22 @@ pub fn collapse_chart(table: &Table, request: &ChartRequest) -> Result<NamedChar
     };
     let colours =
         family.map(|column| format!(" Colours and marks: {}.", plain_label(column))).unwrap_or_default();
-    let caption = format!(
-        "{title}, all {} points. Half of them lie within {} % of the running median, nine in ten within {} %.{colours}",
-        found.points,
-        digits(100.0 * found.half_within),
-        digits(100.0 * found.most_within)
-    );
+    let caption = format!("{title}{scatter}{colours}");
     let name = match request.name.as_str() {
         "" => file_name(&["collapse", &y.name, &x.name, family.map_or("", |column| &column.name)]),
         given => file_name(&[given]),
     };
     Ok(NamedChart { name, title, caption, svg: chart.svg() })
+}
+
+/// How far the points lie from their running median, in words behind a title.
+pub(super) fn scatter(found: &Collapse) -> String {
+    format!(
+        ", all {} points. Half of them lie within {} % of the running median, nine in ten within {} %.",
+        found.points,
+        digits(100.0 * found.half_within),
+        digits(100.0 * found.most_within)
+    )
 }
 
 #[cfg(test)]

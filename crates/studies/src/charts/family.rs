@@ -2,10 +2,11 @@
 //! factor and each model.
 
 use super::classes::{Class, MOST_CLASSES, classes, models};
-use super::label::{axis_label, class_name, plain_label, value_text};
-use super::named::{NamedChart, file_name};
+use super::collapse::scatter;
+use super::label::{axis_label, class_name, plain_label};
+use crate::statistics::collapse::collapse;
 use crate::table::{Column, Role, Table, Values};
-use coulter::output::plots::{Bar, BarGroup, Bars, Chart, Curve, Stroke};
+use coulter::output::figure::{Figure, FigureAxis, FigurePoint, FigureSeries, SeriesKind};
 
 /// Levels of the x axis up to which points are joined through their means where other factors vary, too
 /// (chosen).
@@ -31,45 +32,91 @@ pub struct ChartRequest {
     pub collapse: bool,
 }
 
-/// The points of one curve.
-struct Series {
-    name: String,
-    /// Numbers of its class and its model.
-    class: usize,
-    model: usize,
-    points: Vec<[f64; 2]>,
+/// The model of the runs of the solver.
+const SOLVER: &str = "solver";
+
+/// A figure, and what is said of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToldFigure {
+    /// The figure, with labels and scales of its columns.
+    pub figure: Figure,
+    /// What is said below it; may contain subscripts: `F_H`.
+    pub caption: String,
 }
 
-/// The chart of a request.
+/// What a chart is made of: the table, its columns, and whether closed forms are lines.
+struct Shown<'a> {
+    table: &'a Table,
+    x: &'a Column,
+    y: &'a Column,
+    family: Option<&'a Column>,
+    is_joined: bool,
+}
+
+/// The figure of a request.
 ///
 /// # Errors
 /// A sentence that says which column is missing or holds no numbers, or that no row has both values.
-pub fn family_chart(table: &Table, request: &ChartRequest) -> Result<NamedChart, String> {
+pub fn family_figure(table: &Table, request: &ChartRequest) -> Result<ToldFigure, String> {
     let find = |name: &str| table.column(name).ok_or(format!("there is no column `{name}`"));
     let (x, y) = (find(&request.x)?, find(&request.y)?);
     let family = request.family.as_deref().map(find).transpose()?;
-    let Values::Numbers(ys) = &y.values else { return Err(format!("the column `{}` holds words", y.name)) };
+    if let Values::Words(_) = &y.values {
+        return Err(format!("the column `{}` holds words", y.name));
+    }
     let title = title(x, y, family);
     let varied = others(table, &[Some(x), family]);
-    let joined = are_curves(x, family, varied.len());
-    let made = match &x.values {
-        Values::Words(_) => bars(table, x, y, family, &title),
-        Values::Numbers(xs) => curves(table, (x, xs), (y, ys), (family, joined), request),
-    };
-    let svg = made.ok_or(format!("no row has both `{}` and `{}`", x.name, y.name))?;
-    let name = match request.name.as_str() {
-        "" => file_name(&[&y.name, "over", &x.name, family.map_or("", |column| &column.name)]),
-        given => file_name(&[given]),
-    };
-    let means = if joined { ": lines run through the means" } else { "" };
-    let caption = if varied.is_empty() {
+    let is_joined = !request.collapse && are_curves(x, family, varied.len());
+    let shown = Shown { table, x, y, family, is_joined };
+    let mut series = shown.series();
+    if series.is_empty() {
+        return Err(format!("no row has both `{}` and `{}`", x.name, y.name));
+    }
+    let means = if is_joined { ": lines run through the means" } else { "" };
+    let mut caption = if varied.is_empty() {
         format!("{title}.")
-    } else if joined && x.role != Role::Factor {
+    } else if is_joined && x.role != Role::Factor {
         format!("{title}. Along each curve {} varies.", varied.join(", "))
     } else {
         format!("{title}. Other factors vary, too ({}){means}.", varied.join(", "))
     };
-    Ok(NamedChart { name, title, caption, svg })
+    if request.collapse {
+        let points: Vec<[f64; 2]> = series.iter().flat_map(|one| &one.points).map(|point| point.at).collect();
+        let found = collapse(&points).map_err(|error| error.to_string())?;
+        caption = format!("{title}{}", scatter(&found));
+        let points = found.median.into_iter().map(|at| FigurePoint { at, ..FigurePoint::default() });
+        series.push(FigureSeries {
+            kind: SeriesKind::Line,
+            level: String::new(),
+            source: "running median".to_owned(),
+            points: points.collect(),
+        });
+    }
+    let [x, y] = [(x, request.logarithmic || request.logarithmic_x), (y, request.logarithmic)]
+        .map(|(column, is_logarithmic)| axis(column, is_logarithmic));
+    Ok(ToldFigure {
+        figure: Figure { name: request.name.clone(), x, y, series, ..Figure::default() },
+        caption,
+    })
+}
+
+fn axis(column: &Column, logarithmic: bool) -> FigureAxis {
+    let mut words: Vec<String> = Vec::new();
+    if let Values::Words(list) = &column.values {
+        for word in list.iter().flatten() {
+            if !words.contains(word) {
+                words.push(word.clone());
+            }
+        }
+    }
+    FigureAxis {
+        label: axis_label(column),
+        name: column.name.clone(),
+        unit: column.unit.clone(),
+        range: None,
+        logarithmic,
+        words,
+    }
 }
 
 fn title(x: &Column, y: &Column, family: Option<&Column>) -> String {
@@ -95,53 +142,77 @@ fn groups(table: &Table, family: Option<&Column>) -> (Vec<Class>, Vec<Class>) {
     (family.map_or(one, |column| classes(column, &all)), by_model)
 }
 
-fn curves(
-    table: &Table,
-    (x, xs): (&Column, &[Option<f64>]),
-    (y, ys): (&Column, &[Option<f64>]),
-    (family, joined): (Option<&Column>, bool),
-    request: &ChartRequest,
-) -> Option<String> {
-    let (by_family, by_model) = groups(table, family);
-    let several = by_model.len() > 1;
-    let mut list = Vec::new();
-    for (class, members) in by_family.iter().enumerate() {
-        for (model, rows) in by_model.iter().enumerate() {
-            let both = members.rows.iter().filter(|row| rows.rows.binary_search(row).is_ok());
-            let mut points: Vec<[f64; 2]> = both.filter_map(|row| Some([xs[*row]?, ys[*row]?])).collect();
-            points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-            if !points.is_empty() {
-                list.push(Series {
-                    name: series_name(family, members, several.then_some(rows)),
-                    class,
-                    model,
-                    points,
-                });
+impl Shown<'_> {
+    /// A series of every class of the family with every model.
+    fn series(&self) -> Vec<FigureSeries> {
+        let (by_family, by_model) = groups(self.table, self.family);
+        let is_by_model = self.family.is_some_and(|column| column.name == "model");
+        let mut list = Vec::new();
+        for members in &by_family {
+            let level = match self.family {
+                Some(column) if !is_by_model => class_name(column, &members.label),
+                _ => String::new(),
+            };
+            for model in &by_model {
+                let is_inside = |row: &&usize| model.rows.binary_search(row).is_ok();
+                let rows: Vec<usize> = members.rows.iter().filter(is_inside).copied().collect();
+                let source = if is_by_model { &members.label } else { &model.label };
+                list.extend(self.one(&rows, level.clone(), source));
             }
         }
+        list
     }
-    let mut drawn = Vec::new();
-    for (n, series) in list.iter().enumerate() {
-        drawn.extend(strokes(series, n, joined, family.is_some()));
+
+    /// The series of some rows of a model.
+    fn one(&self, rows: &[usize], level: String, model: &str) -> Option<FigureSeries> {
+        let mut points: Vec<FigurePoint> = rows.iter().filter_map(|row| self.point(*row)).collect();
+        points.sort_by(|a, b| a.at[0].total_cmp(&b.at[0]).then(a.at[1].total_cmp(&b.at[1])));
+        let is_word = matches!(self.x.values, Values::Words(_));
+        let kind = if model == SOLVER {
+            SeriesKind::Computed
+        } else if self.is_joined && !is_word {
+            SeriesKind::Line
+        } else {
+            SeriesKind::Dots
+        };
+        if kind != SeriesKind::Computed && (self.is_joined || is_word) {
+            points = means(&points);
+        }
+        let source = model.replace('_', " ");
+        (!points.is_empty()).then_some(FigureSeries { kind, level, source, points })
     }
-    let chart = Chart {
-        title: title(x, y, family),
-        x_label: axis_label(x),
-        y_label: axis_label(y),
-        height: 360.0,
-        logarithmic: request.logarithmic,
-        logarithmic_x: request.logarithmic_x,
-        curves: drawn,
-        ..Chart::default()
-    };
-    (!list.is_empty()).then(|| chart.svg())
+
+    /// The point of a row, with its intervals and its grade.
+    fn point(&self, row: usize) -> Option<FigurePoint> {
+        let x = match &self.x.values {
+            Values::Numbers(list) => list[row]?,
+            Values::Words(list) => {
+                let word = list[row].as_ref()?;
+                axis(self.x, false).words.iter().position(|other| other == word)? as f64
+            }
+        };
+        let Values::Numbers(ys) = &self.y.values else { return None };
+        let end = |column: &Column, end: &str| {
+            self.table.numbers(&format!("{}_{end}", column.name)).and_then(|list| list[row])
+        };
+        let ends = |column: &Column| Some([end(column, "low")?, end(column, "high")?]);
+        let grade = self.table.words("grade").and_then(|list| list[row].clone());
+        Some(FigurePoint {
+            at: [x, ys[row]?],
+            x_ends: ends(self.x),
+            y_ends: ends(self.y),
+            grade: grade.unwrap_or_default(),
+        })
+    }
 }
 
-/// The class of the family and the model: `φ = 30 deg, solver`.
-fn series_name(family: Option<&Column>, class: &Class, model: Option<&Class>) -> String {
-    let class = family.map(|column| class_name(column, &class.label));
-    let model = model.map(|model| model.label.replace('_', " "));
-    class.into_iter().chain(model).collect::<Vec<_>>().join(", ")
+/// The means at each place of x; intervals of a mean are not known.
+fn means(points: &[FigurePoint]) -> Vec<FigurePoint> {
+    let mean = |part: &[FigurePoint]| {
+        let sum: f64 = part.iter().map(|point| point.at[1]).sum();
+        FigurePoint { at: [part[0].at[0], sum / part.len() as f64], ..FigurePoint::default() }
+    };
+    points.chunk_by(|a, b| a.at[0] == b.at[0]).map(mean).collect()
 }
 
 /// Whether points are joined: those over a factor at few places, or at many where no other factor varies and
@@ -163,71 +234,6 @@ fn are_curves(x: &Column, family: Option<&Column>, others: usize) -> bool {
     }
 }
 
-/// What is drawn of a series: a line through the means at each place with dots, or dots alone.
-fn strokes(series: &Series, number: usize, joined: bool, has_family: bool) -> Vec<Curve> {
-    if !joined {
-        let (name, points) = (series.name.clone(), series.points.clone());
-        return vec![Curve { name, points, colour: number, stroke: Stroke::Marks(number) }];
-    }
-    // Colour and marks tell the levels apart, dashes the models; without levels all three are free for the
-    // models.
-    let (colour, stroke) = if has_family {
-        (series.class, Stroke::Marked { dash: series.model, mark: series.class })
-    } else {
-        (series.model, Stroke::Marked { dash: series.model, mark: series.model })
-    };
-    let mean = |part: &[[f64; 2]]| [part[0][0], part.iter().map(|p| p[1]).sum::<f64>() / part.len() as f64];
-    let means: Vec<[f64; 2]> = series.points.chunk_by(|a, b| a[0] == b[0]).map(mean).collect();
-    let mut drawn = Vec::new();
-    if means.len() < series.points.len() {
-        drawn.push(Curve {
-            name: String::new(),
-            points: series.points.clone(),
-            colour,
-            stroke: Stroke::Dots,
-        });
-    }
-    drawn.push(Curve { name: series.name.clone(), points: means, colour, stroke });
-    drawn
-}
-
-/// A group of bars for each word of the x axis, a bar of the mean for each class and model.
-fn bars(table: &Table, x: &Column, y: &Column, family: Option<&Column>, title: &str) -> Option<String> {
-    let Values::Numbers(ys) = &y.values else { return None };
-    let (by_family, by_model) = groups(table, family);
-    let all: Vec<usize> = (0..table.rows()).collect();
-    let (mut names, mut groups) = (Vec::new(), Vec::new());
-    for place in classes(x, &all) {
-        let mut bars = Vec::new();
-        for (class, members) in by_family.iter().enumerate() {
-            for (model, rows) in by_model.iter().enumerate() {
-                let inside =
-                    |row: &&usize| [members, rows].iter().all(|of| of.rows.binary_search(row).is_ok());
-                let values: Vec<f64> = place.rows.iter().filter(inside).filter_map(|row| ys[*row]).collect();
-                if values.is_empty() {
-                    continue;
-                }
-                let colour = class * by_model.len() + model;
-                let name = series_name(family, members, (by_model.len() > 1).then_some(rows));
-                if !name.is_empty() && !names.contains(&(name.clone(), colour)) {
-                    names.push((name, colour));
-                }
-                bars.push(Bar {
-                    value: values.iter().sum::<f64>() / values.len() as f64,
-                    colour,
-                    ..Bar::default()
-                });
-            }
-        }
-        let label =
-            place.rows.first().and_then(|row| value_text(x, *row)).unwrap_or_default().replace('_', " ");
-        groups.push(BarGroup { label, bars });
-    }
-    let filled = groups.iter().any(|group| !group.bars.is_empty());
-    let chart = Bars { title: title.to_owned(), x_label: axis_label(y), names, groups, ..Bars::default() };
-    filled.then(|| chart.svg())
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::samples::{column, grid};
@@ -236,6 +242,7 @@ mod tests {
 
     fn request(x: &str, y: &str, family: Option<&str>) -> ChartRequest {
         ChartRequest {
+            name: "Drag".into(),
             x: x.into(),
             y: y.into(),
             family: family.map(str::to_owned),
@@ -244,17 +251,18 @@ mod tests {
     }
 
     #[test]
-    fn a_grid_gives_a_curve_for_each_level_and_model() {
-        let chart = family_chart(&grid(), &request("angle", "drag", Some("depth"))).unwrap();
-        assert_eq!(chart.name, "drag_over_angle_depth");
-        assert!(
-            chart.svg.contains(">depth = 0.1 m, solver<")
-                && chart.svg.contains(">depth = 0.2 m, plain model<"),
-            "{}",
-            chart.svg
-        );
-        assert!(chart.svg.contains("stroke-dasharray") && chart.svg.contains("[deg]"));
-        assert!(chart.caption.contains("tip"), "{}", chart.caption);
+    fn a_grid_gives_a_series_for_each_level_and_model() {
+        let told = family_figure(&grid(), &request("angle", "drag", Some("depth"))).unwrap();
+        let names: Vec<[&str; 2]> =
+            told.figure.series.iter().map(|one| [one.level.as_str(), one.source.as_str()]).collect();
+        assert_eq!(names[0], ["depth = 0.1 m", "solver"]);
+        assert_eq!(names[3], ["depth = 0.2 m", "plain model"]);
+        // Every run is a mark, closed forms run through the means over both tips.
+        let counts: Vec<(SeriesKind, usize)> =
+            told.figure.series.iter().map(|one| (one.kind, one.points.len())).collect();
+        assert_eq!(counts[1..], [(SeriesKind::Line, 5), (SeriesKind::Computed, 9), (SeriesKind::Line, 5)]);
+        assert!(told.caption.contains("tip"), "{}", told.caption);
+        assert_eq!((told.figure.x.label.as_str(), told.figure.name.as_str()), ("angle [deg]", "Drag"));
     }
 
     #[test]
@@ -266,46 +274,53 @@ mod tests {
             column("b", "m", Role::Factor, numbers(1)),
             column("drag", "N", Role::Response, numbers(0)),
         ];
-        let chart = family_chart(&Table { columns }, &request("a", "drag", Some("b"))).unwrap();
-        // The points, of which those of the first range are dots, and those of the legend.
-        assert_eq!(
-            [chart.svg.matches("h0").count(), chart.svg.matches("class=\"mark\"").count()],
-            [40, 32 + 5]
-        );
-        assert!(!chart.svg.contains("stroke-linejoin"), "{}", chart.svg);
+        let told = family_figure(&Table { columns }, &request("a", "drag", Some("b"))).unwrap();
+        assert!(told.figure.series.iter().all(|one| one.kind == SeriesKind::Dots));
+        assert_eq!(told.figure.series.iter().map(|one| one.points.len()).sum::<usize>(), 40);
     }
 
     #[test]
     fn models_that_are_the_family_are_named_once() {
-        let chart = family_chart(&grid(), &request("angle", "drag", Some("model"))).unwrap();
-        assert!(chart.svg.contains(">solver<") && chart.svg.contains(">plain model<"), "{}", chart.svg);
+        let told = family_figure(&grid(), &request("angle", "drag", Some("model"))).unwrap();
+        let names: Vec<[&str; 2]> =
+            told.figure.series.iter().map(|one| [one.level.as_str(), one.source.as_str()]).collect();
+        assert_eq!(names, [["", "solver"], ["", "plain model"]]);
     }
 
     #[test]
-    fn no_two_series_are_alike_without_colour() {
-        let chart = family_chart(&grid(), &request("angle", "drag", Some("depth"))).unwrap();
-        fn value<'a>(line: &'a str, name: &str) -> Option<&'a str> {
-            line.split(name).nth(1)?.split('"').nth(1)
-        }
-        // The model by its dashes, the level by its marks, which follow the line.
-        let lines: Vec<&str> = chart.svg.lines().collect();
-        let looks: std::collections::BTreeSet<[&str; 2]> = lines
-            .windows(2)
-            .filter(|pair| pair[0].contains("data-name=\"depth ="))
-            .map(|pair| [value(pair[0], "dasharray="), value(pair[1], " d=")].map(Option::unwrap_or_default))
-            .collect();
-        assert_eq!(looks.len(), 4, "{looks:?}");
+    fn intervals_and_grades_of_the_table_are_shown() {
+        let mut table = grid();
+        let rows = table.rows();
+        let level = |value: f64| Values::Numbers(vec![Some(value); rows]);
+        table.columns.push(column("drag_low", "N", Role::Remark, level(1.0)));
+        table.columns.push(column("drag_high", "N", Role::Remark, level(9.0)));
+        let grades = Values::Words(vec![Some("doubtful".into()); rows]);
+        table.columns.push(column("grade", "", Role::Remark, grades));
+        let told = family_figure(&table, &request("angle", "drag", Some("depth"))).unwrap();
+        let point = &told.figure.series[0].points[0];
+        assert_eq!((point.y_ends, point.x_ends, point.grade.as_str()), (Some([1.0, 9.0]), None, "doubtful"));
+        assert_eq!(told.figure.series[1].points[0].y_ends, None);
     }
 
     #[test]
-    fn words_on_the_axis_give_bars() {
-        let chart = family_chart(&grid(), &request("tip", "drag", None)).unwrap();
-        assert!(chart.svg.contains("blunt") && chart.svg.contains("<rect"));
+    fn words_on_the_axis_have_a_place_each() {
+        let told = family_figure(&grid(), &request("tip", "drag", None)).unwrap();
+        assert_eq!(told.figure.x.words, ["sharp", "blunt"]);
+        assert_eq!(told.figure.series[1].kind, SeriesKind::Dots);
+        assert_eq!(told.figure.series[1].points.len(), 2);
+    }
+
+    #[test]
+    fn a_collapse_says_its_scatter() {
+        let asked = ChartRequest { collapse: true, ..request("angle", "drag", Some("depth")) };
+        let told = family_figure(&grid(), &asked).unwrap();
+        assert!(told.caption.contains("nine in ten"), "{}", told.caption);
+        assert_eq!(told.figure.series.last().unwrap().source, "running median");
     }
 
     #[test]
     fn what_cannot_be_drawn_is_said() {
-        assert!(family_chart(&grid(), &request("angle", "lift", None)).unwrap_err().contains("`lift`"));
-        assert!(family_chart(&grid(), &request("angle", "tip", None)).unwrap_err().contains("words"));
+        assert!(family_figure(&grid(), &request("angle", "lift", None)).unwrap_err().contains("`lift`"));
+        assert!(family_figure(&grid(), &request("angle", "tip", None)).unwrap_err().contains("words"));
     }
 }

@@ -55,6 +55,12 @@ pub(super) fn class_name(column: &Column, class: &str) -> String {
     if column.name == "model" { class } else { format!("{} = {class}", symbol(column)) }
 }
 
+/// What the level of a row is called in a legend: `φ = 30 deg`.
+#[must_use]
+pub fn level_name(column: &Column, row: usize) -> Option<String> {
+    Some(class_name(column, &value_text(column, row)?))
+}
+
 /// The text of a value: its word, or its number with unit.
 pub(super) fn value_text(column: &Column, row: usize) -> Option<String> {
     match &column.values {

@@ -1,9 +1,10 @@
-//! Charts of a study as SVG text, in the style of the report of a run.
+//! Charts of a study as SVG text, in the style of the report of a run, and figures for print.
 
 mod classes;
 mod collapse;
 mod effects;
 mod family;
+mod history;
 mod label;
 mod named;
 mod portions;
@@ -14,8 +15,9 @@ mod surrogate;
 pub(crate) use classes::models;
 pub use collapse::collapse_chart;
 pub use effects::{FactorEffect, main_effects_chart, tornado_chart};
-pub use family::{ChartRequest, family_chart};
-pub use label::{axis_label, plain_label};
+pub use family::{ChartRequest, ToldFigure, family_figure};
+pub use history::{RunCurve, history_figure};
+pub use label::{axis_label, level_name, plain_label};
 pub use named::NamedChart;
 pub use portions::sobol_chart;
 pub use surrogate::surrogate_chart;

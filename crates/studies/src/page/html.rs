@@ -32,6 +32,8 @@ pub struct Page {
     pub warnings: Vec<String>,
     /// What could not be computed.
     pub remarks: Vec<String>,
+    /// Figures for print, with their files in the folder `figures` beside the page.
+    pub figures: Vec<NamedChart>,
     /// Charts.
     pub charts: Vec<NamedChart>,
     /// Tables; columns without values are left out, and rows after the first two hundred.
@@ -55,6 +57,7 @@ impl Page {
             gaps,
             warnings: Vec::new(),
             remarks: analysis.remarks,
+            figures: Vec::new(),
             charts: analysis.charts,
             tables: analysis.tables,
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -87,6 +90,7 @@ struct Content<'a> {
     gaps: &'a [Gap],
     warnings: &'a [String],
     remarks: &'a [String],
+    figures: Vec<ShownChart<'a>>,
     charts: Vec<ShownChart<'a>>,
     tables: Vec<ShownTable>,
     version: &'a str,
@@ -106,6 +110,7 @@ pub fn page(page: &Page) -> Result<String, PageError> {
         gaps: &page.gaps,
         warnings: &page.warnings,
         remarks: &page.remarks,
+        figures: page.figures.iter().map(ShownChart::of).collect(),
         charts: page.charts.iter().map(ShownChart::of).collect(),
         tables: page.tables.iter().map(shown_table).collect(),
         version: &page.version,

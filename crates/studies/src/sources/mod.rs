@@ -8,4 +8,4 @@ mod run;
 pub use closed_form::{Along, ClosedForm, ClosedForms};
 pub use curve::{local_means, rising, rising_rows};
 pub use left_out::{LeftOut, place, says_nothing};
-pub use run::{RunSource, read_run};
+pub use run::{BodySamples, RunSource, read_run, read_samples};

@@ -21,11 +21,22 @@ pub struct RunSource {
     pub run: RunRecord,
 }
 
-/// Reads the history of a body from a results folder; the first body with a surface unless one is named.
+/// The samples of one body of a run.
+#[derive(Clone, Debug)]
+pub struct BodySamples {
+    /// The folder's record of the run.
+    pub run: RunRecord,
+    /// Reference quantities of the body.
+    pub reference: Reference,
+    /// The samples.
+    pub samples: Vec<BodySample>,
+}
+
+/// Reads the samples of a body from a results folder; of the first body with a surface unless one is named.
 ///
 /// # Errors
-/// What keeps it from being read, with a cure.
-pub fn read_run(folder: &Path, body: Option<&str>) -> Result<RunSource, String> {
+/// What keeps them from being read, with a cure.
+pub fn read_samples(folder: &Path, body: Option<&str>) -> Result<BodySamples, String> {
     let shown = folder.display();
     let run = match inspect(folder).map_err(|error| error.to_string())? {
         Contents::Run(run) => *run,
@@ -43,12 +54,21 @@ pub fn read_run(folder: &Path, body: Option<&str>) -> Result<RunSource, String> 
         None => run.bodies.iter().position(Reference::has_surface).unwrap_or(0),
     };
     let is_whole = run.statistics.outcome == Outcome::Finished;
-    let history = read_history(folder, &run.names(), is_whole).map_err(|error| error.to_string())?;
-    let (Some(samples), Some(reference)) = (history.bodies.get(number), run.bodies.get(number)) else {
+    let mut history = read_history(folder, &run.names(), is_whole).map_err(|error| error.to_string())?;
+    let Some(reference) = run.bodies.get(number).filter(|_| number < history.bodies.len()).cloned() else {
         return Err(format!("{shown}: the run has no body"));
     };
-    let steady = SteadyWindow::of(samples, reference, run.steady_part()).range;
-    Ok(RunSource { record: record(&folder.display().to_string(), samples, reference), steady, run })
+    Ok(BodySamples { samples: history.bodies.swap_remove(number), reference, run })
+}
+
+/// Reads the history of a body from a results folder; the first body with a surface unless one is named.
+///
+/// # Errors
+/// What keeps it from being read, with a cure.
+pub fn read_run(folder: &Path, body: Option<&str>) -> Result<RunSource, String> {
+    let BodySamples { run, reference, samples } = read_samples(folder, body)?;
+    let steady = SteadyWindow::of(&samples, &reference, run.steady_part()).range;
+    Ok(RunSource { record: record(&folder.display().to_string(), &samples, &reference), steady, run })
 }
 
 /// A quantity and where a sample has it.

@@ -3,8 +3,8 @@
 
 use super::assignments::assignments;
 use super::points::{Formless, count, point};
-use super::{Design, Level, Part, Study, keys};
-use crate::responses;
+use super::{ChartWish, Design, Level, ModelKind, Part, Study, keys};
+use crate::{history_columns, responses};
 use coulter::case::form::{Entry, Form, Problems, Value, find, join, nearest};
 use coulter::case::keys::NAMED;
 
@@ -139,11 +139,15 @@ fn charts(study: &Study, problems: &mut Problems) {
     for (n, typed) in study.responses.iter().enumerate() {
         lead_nowhere(&format!("responses[{n}]"), (typed, &responses), "response", problems);
     }
+    let histories = history_columns::names();
     for chart in &study.charts {
         let path = join("chart", &chart.name);
+        // Columns of a history have several names each.
+        let is_known = |name: &str| chart.history && history_columns::find(name).is_some();
+        let axes = if chart.history { &histories } else { &columns };
         let wanted = [
-            ("x", Some(&chart.x), &columns, "column"),
-            ("y", Some(&chart.y), &columns, "column"),
+            ("x", Some(&chart.x).filter(|x| !is_known(x)), axes, "column"),
+            ("y", Some(&chart.y).filter(|y| !is_known(y)), axes, "column"),
             ("family", chart.family.as_ref(), &factors, "factor"),
             ("part", chart.part.as_ref(), &parts, "part"),
         ];
@@ -152,6 +156,24 @@ fn charts(study: &Study, problems: &mut Problems) {
                 lead_nowhere(&join(&path, key), (typed, known), what, problems);
             }
         }
+        if chart.history {
+            history(study, chart, problems);
+        }
+    }
+}
+
+/// Reports a chart of histories that no run has.
+fn history(study: &Study, chart: &ChartWish, problems: &mut Problems) {
+    let path = join("chart", &chart.name);
+    let mut parts =
+        study.parts.iter().filter(|part| chart.part.as_ref().is_none_or(|name| *name == part.name));
+    if !parts.any(|part| part.models.contains(&ModelKind::Solver)) {
+        let message = "a history is that of a run, and no run is part of the chart";
+        problems.add(join(&path, "history"), message, "name a part with models = [\"solver\"]");
+    }
+    if chart.collapse {
+        let message = "points of a history are not expected to fall onto one curve";
+        problems.add(join(&path, "collapse"), message, "leave it out");
     }
 }
 

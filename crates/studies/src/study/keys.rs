@@ -1,7 +1,9 @@
 //! The keys of a study file, in the tables from which reading, the JSON schema and the documentation follow.
 
-use coulter::case::keys::DefaultValue::{Derived, Flag, Number, Required, Word};
+use coulter::case::keys::DefaultValue::{Derived, Flag, Number, Quantity, Required, Word};
 use coulter::case::keys::{AllowedRange, Bound, Key, KeyTable, Kind, key, section};
+use coulter::case::quantity::LENGTH;
+use coulter::output::figure::LegendPlace;
 
 /// Designs: which points a part of a study has.
 pub const DESIGNS: [&str; 5] = ["grid", "list", "one-at-a-time", "latin-hypercube", "sobol"];
@@ -13,6 +15,10 @@ pub const CLOSED_FORMS: [&str; 2] = ["recommended", "all"];
 pub const SCALES: [&str; 2] = ["linear", "logarithmic"];
 /// Scales of a chart.
 pub const CHART_SCALES: [&str; 3] = ["linear", "logarithmic", "logarithmic-x"];
+/// Where the legend of a figure may stand.
+pub const LEGENDS: [&str; 11] = LegendPlace::WORDS;
+/// How levels differ in figures.
+pub const COLOURS: [&str; 2] = ["colour", "black"];
 /// Most points of one part.
 pub const MOST_POINTS: f64 = 1e6;
 
@@ -144,6 +150,66 @@ const CHART: &[Key] = &[
         "Scale of both axes; `logarithmic-x` that of the x axis alone.",
     ),
     key("collapse", Kind::Flag, Flag(false), "All points, and how well they fall onto one curve."),
+    key(
+        "history",
+        Kind::Flag,
+        Flag(false),
+        "Curves of single runs of the solver instead of the table: `x` and `y` are columns of `forces.csv`, such as `time`, `rotation`, \
+         `drag`, `u_bar`, `F_H_bar`, `Z`.",
+    ),
+    key(
+        "measured",
+        Kind::Names,
+        Derived("none"),
+        "Tables of measured points, relative to the study file: CSV whose header names the columns as the chart does, `Z [-],F_H_bar [-]`; \
+         columns `F_H_bar_low` and `F_H_bar_high` are the ends of intervals.",
+    ),
+    key(
+        "measured_labels",
+        Kind::Names,
+        Derived("the names of the files"),
+        "What the measured tables are called in the legend.",
+    ),
+    key("columns", Kind::Count, Number(1.0), "Width of the figure: one column of a journal, or two.")
+        .within(from(1.0, 2.0)),
+    key(
+        "legend",
+        Kind::Choice(&LEGENDS),
+        Word("automatic"),
+        "Where the legend stands: where it hides nothing, at a side of the axes, above them (outside), or nowhere.",
+    ),
+    key(
+        "x_range",
+        Kind::Interval,
+        Derived("that of the points"),
+        "Ends of the x axis, in the unit of the column.",
+    ),
+    key("y_range", Kind::Interval, Derived("that of the points"), "Ends of the y axis."),
+    key(
+        "x_label",
+        Kind::Text,
+        Derived("that of the column"),
+        "Label of the x axis: words, symbol, unit in square brackets, `drag F_H [N]`; `F̄_H` has a bar.",
+    ),
+    key("y_label", Kind::Text, Derived("that of the column"), "Label of the y axis."),
+];
+
+const STYLE: &[Key] = &[
+    key("width_one", Kind::Quantity(LENGTH), Quantity("90 mm"), "Width of figures of one column.")
+        .within(from(0.03, 0.5)),
+    key("width_two", Kind::Quantity(LENGTH), Quantity("190 mm"), "Width of figures of two columns.")
+        .within(from(0.03, 0.5)),
+    key("aspect", Kind::Number, Derived("0.75; of two columns 0.45"), "Height of a figure over its width.")
+        .within(from(0.2, 3.0)),
+    key("font_size", Kind::Number, Number(8.0), "Size of text [pt].").within(from(4.0, 20.0)),
+    key("line_width", Kind::Number, Number(0.9), "Width of lines [pt].").within(from(0.1, 5.0)),
+    key("mark_size", Kind::Number, Number(4.5), "Size of marks [pt].").within(from(1.0, 20.0)),
+    key(
+        "colour",
+        Kind::Choice(&COLOURS),
+        Word("colour"),
+        "Whether levels differ by colour, too; marks and dashes tell them apart anyway.",
+    ),
 ];
 
 const POOL: &[Key] = &[
@@ -158,7 +224,7 @@ const POOL: &[Key] = &[
 ];
 
 /// All sections of a study file.
-pub const SECTIONS: [KeyTable; 5] = [
+pub const SECTIONS: [KeyTable; 6] = [
     section("", "At the top of the file, before any section. Besides these every key of a part.", TOP),
     section(
         "part",
@@ -173,9 +239,10 @@ pub const SECTIONS: [KeyTable; 5] = [
     ),
     section(
         "chart",
-        "A chart of the table, `[chart.NAME]`. A part gets the charts that name it, or, where none does, those that every study gets.",
+        "A chart of the table, `[chart.NAME]`: a figure for print. A part gets the charts that name it, or, where none does, those that every study gets.",
         CHART,
     ),
+    section("style", "What figures for print look like.", STYLE),
     section("pool", "How cases are run on this machine. It changes no result.", POOL),
 ];
 

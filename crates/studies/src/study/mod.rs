@@ -5,6 +5,7 @@ mod checks;
 mod design;
 mod factor;
 pub mod keys;
+mod measured_points;
 mod model;
 mod points;
 mod read;
@@ -12,6 +13,7 @@ pub mod schema;
 
 pub use design::{Design, ModelKind};
 pub use factor::{Factor, Level};
-pub use model::{BaseCase, ChartWish, Part, Pool, Study};
+pub use measured_points::{MeasuredPoints, copy_name};
+pub use model::{BaseCase, ChartWish, Part, Pool, Study, StudyStyle};
 pub use points::{Point, points};
 pub use read::{read, read_expanded};

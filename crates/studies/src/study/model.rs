@@ -1,7 +1,9 @@
 //! A study as its file says, with everything that can be checked without running a case.
 
+use super::measured_points::MeasuredPoints;
 use super::{Design, Factor, ModelKind};
 use crate::expression::Expression;
+use coulter::output::figure::{FigureStyle, LegendPlace};
 use serde::{Deserialize, Serialize};
 
 /// A study.
@@ -25,6 +27,8 @@ pub struct Study {
     pub parts: Vec<Part>,
     /// The charts, in the order of the file.
     pub charts: Vec<ChartWish>,
+    /// What figures look like.
+    pub style: StudyStyle,
     /// How cases are run on this machine.
     pub pool: Pool,
 }
@@ -37,6 +41,30 @@ pub struct BaseCase {
     /// The text of that file.
     #[serde(skip)]
     pub text: String,
+}
+
+/// What the figures of a study look like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StudyStyle {
+    /// Widths of one and of two columns [mm].
+    pub widths: [f64; 2],
+    /// Height over width; `None` for what is usual.
+    pub aspect: Option<f64>,
+    /// Text, lines and marks.
+    pub figure: FigureStyle,
+}
+
+impl StudyStyle {
+    /// Heights over widths of figures of one and of two columns (chosen).
+    const ASPECTS: [f64; 2] = [0.75, 0.45];
+
+    /// The style of a figure of one or two columns.
+    #[must_use]
+    pub fn of(&self, columns: usize) -> FigureStyle {
+        let number = columns.clamp(1, 2) - 1;
+        let aspect = self.aspect.unwrap_or(Self::ASPECTS[number]);
+        FigureStyle { width: self.widths[number], aspect, ..self.figure }
+    }
 }
 
 /// A part of a study.
@@ -88,7 +116,7 @@ impl Study {
 }
 
 /// A chart that the file asks for.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ChartWish {
     /// Name of the chart.
     pub name: String,
@@ -106,6 +134,18 @@ pub struct ChartWish {
     pub logarithmic_x: bool,
     /// Whether it shows how well all points fall onto one curve.
     pub collapse: bool,
+    /// Whether it shows curves of single runs over their history.
+    pub history: bool,
+    /// Measured points.
+    pub measured: Vec<MeasuredPoints>,
+    /// Width in columns of a journal, 1 or 2.
+    pub columns: usize,
+    /// Where the legend stands.
+    pub legend: LegendPlace,
+    /// Ends of the x and the y axis, in the units of the columns.
+    pub ranges: [Option<[f64; 2]>; 2],
+    /// Labels of the x and the y axis, in place of those of the columns.
+    pub labels: [Option<String>; 2],
 }
 
 /// How cases are run on this machine.

@@ -4,11 +4,13 @@
 use super::assignments::assignments;
 use super::factor::numbers_of;
 use super::keys::{self, table};
-use super::model::{BaseCase, ChartWish, Part, Pool, Study};
+use super::measured_points::{self, Axes, Whence};
+use super::model::{BaseCase, ChartWish, Part, Pool, Study, StudyStyle};
 use super::{Design, Factor, Level, ModelKind};
 use crate::expression::{self, Expression};
 use coulter::case::form::{Entry, Form, Problems, Section, Value, accepts, find, join, nearest, section};
 use coulter::case::{self, CaseError};
+use coulter::output::figure::{FigureStyle, LegendPlace};
 use std::path::Path;
 
 /// Reads the study file at `path`, or the quick version that it describes.
@@ -56,8 +58,10 @@ fn read_with(
     if names.is_empty() {
         problems.add("factor", "the study varies nothing", "add a factor: [factor.phi]");
     }
-    let charts = named(&form, "chart", &mut problems);
-    let charts: Vec<ChartWish> = charts.iter().map(|(name, e)| chart(name, e, &mut problems)).collect();
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let whence = if expanded.is_some() { Whence::Copies(folder) } else { Whence::Named(folder) };
+    let charts = charts(&form, whence, &factors, &mut problems);
+    let style = style(&form, &mut problems);
     let pool = pool(&form, &mut problems);
     let mut paths = PathsOfCases::of(&top);
     let parts = parts(&form, &names, &mut paths, &mut problems);
@@ -78,6 +82,7 @@ fn read_with(
         factors,
         parts,
         charts,
+        style,
         pool,
     };
     super::checks::check(&form, &study, &mut problems);
@@ -284,6 +289,17 @@ fn levels(values: &[Value], numbers: &[f64]) -> Vec<Level> {
     values.iter().enumerate().map(|(n, value)| Factor::level_of(value, number(n))).collect()
 }
 
+fn charts(form: &Form, whence: Whence<'_>, factors: &[Factor], problems: &mut Problems) -> Vec<ChartWish> {
+    let mut all = Vec::new();
+    for (name, entries) in named(form, "chart", problems) {
+        let mut made = chart(&name, &entries, problems);
+        let axes = Axes { chart: &name, columns: [&made.x, &made.y], is_history: made.history };
+        made.measured = measured_points::read(&axes, &entries, whence, factors, problems);
+        all.push(made);
+    }
+    all
+}
+
 fn chart(name: &str, entries: &[Entry], problems: &mut Problems) -> ChartWish {
     let read = section(entries, &table("chart"), &join("chart", name), &[], problems);
     let scale = read.text("scale").unwrap_or_default();
@@ -296,23 +312,55 @@ fn chart(name: &str, entries: &[Entry], problems: &mut Problems) -> ChartWish {
         logarithmic: scale == "logarithmic",
         logarithmic_x: scale == "logarithmic-x",
         collapse: read.flag("collapse").unwrap_or(false),
+        history: read.flag("history").unwrap_or(false),
+        measured: Vec::new(),
+        columns: read.number("columns").unwrap_or(1.0) as usize,
+        legend: LegendPlace::of_word(&read.text("legend").unwrap_or_default()),
+        ranges: [("x_range", scale != "linear"), ("y_range", scale == "logarithmic")].map(|(key, is_log)| {
+            let ends = <[f64; 2]>::try_from(read.list(key)?).ok()?;
+            if ends[0] == ends[1] || (is_log && ends.iter().any(|end| *end <= 0.0)) {
+                let cure = "give two numbers that differ, above 0 on a logarithmic axis: [0.1, 10]";
+                problems.add(read.at(key), "an axis cannot have these ends", cure);
+            }
+            Some(ends)
+        }),
+        labels: ["x_label", "y_label"].map(|key| read.text(key)),
     }
 }
 
-fn pool(form: &Form, problems: &mut Problems) -> Pool {
-    let entries = match find(&form.entries, "pool") {
+/// A section that a file has at most once.
+fn single(form: &Form, name: &str, problems: &mut Problems) -> Section {
+    let entries = match find(&form.entries, name) {
         Some(Value::Table(entries)) => entries.clone(),
         Some(other) => {
-            problems.add(
-                "pool",
-                format!("`pool` must be a section, not {}", other.kind()),
-                "write it as a heading: [pool]",
-            );
+            let message = format!("`{name}` must be a section, not {}", other.kind());
+            problems.add(name, message, format!("write it as a heading: [{name}]"));
             Vec::new()
         }
         None => Vec::new(),
     };
-    let read = section(&entries, &table("pool"), "pool", &[], problems);
+    section(&entries, &table(name), name, &[], problems)
+}
+
+fn style(form: &Form, problems: &mut Problems) -> StudyStyle {
+    let read = single(form, "style", problems);
+    let usual = FigureStyle::default();
+    let width = |key: &str, otherwise: f64| read.number(key).map_or(otherwise, |metres| 1e3 * metres);
+    StudyStyle {
+        widths: [width("width_one", 90.0), width("width_two", 190.0)],
+        aspect: read.number("aspect"),
+        figure: FigureStyle {
+            font_size: read.number("font_size").unwrap_or(usual.font_size),
+            line_width: read.number("line_width").unwrap_or(usual.line_width),
+            mark_size: read.number("mark_size").unwrap_or(usual.mark_size),
+            is_coloured: read.text("colour").as_deref() != Some("black"),
+            ..usual
+        },
+    }
+}
+
+fn pool(form: &Form, problems: &mut Problems) -> Pool {
+    let read = single(form, "pool", problems);
     Pool {
         workers: read.number("workers").map(|count| count as usize),
         threads: read.number("threads").map_or(1, |count| count as usize),

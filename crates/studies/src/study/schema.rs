@@ -11,7 +11,7 @@ pub fn text() -> String {
     let mut properties: Map<String, Value> = keys_of(&table(""));
     properties.extend(keys_of(&table("part")));
     for section in SECTIONS.iter().filter(|section| !section.name.is_empty()) {
-        let schema = if section.name == "pool" {
+        let schema = if is_single(section.name) {
             object(section)
         } else {
             json!({
@@ -36,8 +36,13 @@ pub fn text() -> String {
 pub fn tables() -> String {
     let heading = |name: &str| match name {
         "" => "Top of the file".to_owned(),
-        "pool" => "`[pool]`".to_owned(),
+        name if is_single(name) => format!("`[{name}]`"),
         name => format!("`[{name}.NAME]`"),
     };
     SECTIONS.iter().map(|section| documentation::table(section, &heading(section.name))).collect()
+}
+
+/// Whether a file has the section once, without a name of its own.
+fn is_single(section: &str) -> bool {
+    ["pool", "style"].contains(&section)
 }

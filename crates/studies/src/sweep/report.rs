@@ -1,11 +1,12 @@
 //! The files of a study that has been collected: tables, charts, the page.
 
 use super::collect::Collected;
+use super::figures::{self, FigureSet};
+use super::part_rows::{self, of_part};
 use super::store::{Store, StudyError};
 use crate::analysis::{Analysis, AnalysisRequest, NamedTable, USUAL_RESPONSES, analyse};
-use crate::charts::ChartRequest;
 use crate::page::{Page, page};
-use crate::study::{Part, Study};
+use crate::study::{ChartWish, Part, Study};
 use crate::table::{Column, Role, Table, Values, to_csv, to_parquet};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -20,7 +21,10 @@ pub fn write(store: &Store, study: &Study, collected: &Collected) -> Result<Vec<
     let csv = to_csv(table).map_err(|error| other(error.to_string()))?;
     let parquet = to_parquet(table).map_err(|error| other(error.to_string()))?;
     let lacking = to_csv(&lacking(collected)).map_err(|error| other(error.to_string()))?;
-    let analysis = analysis(study, &leading(table));
+    let leading = leading(table);
+    let FigureSet { figures, shown, remarks } = figures::figures(store, study, &leading);
+    let mut analysis = analysis(study, &leading);
+    analysis.remarks.splice(0..0, remarks);
     let mut files = vec![
         store.write("table.csv", csv.as_bytes())?,
         store.write("table.parquet", &parquet)?,
@@ -29,14 +33,16 @@ pub fn write(store: &Store, study: &Study, collected: &Collected) -> Result<Vec<
     for chart in &analysis.charts {
         store.write(&format!("charts/{}.svg", chart.name), chart.svg.as_bytes())?;
     }
+    files.extend(figures::write(store, &figures)?);
     for NamedTable { name, table, .. } in &analysis.tables {
         let text = to_csv(table).map_err(|error| other(error.to_string()))?;
         files.push(store.write(&format!("{name}.csv"), text.as_bytes())?);
     }
     let description = collected.counts.text();
-    let mut shown = Page::of(&study.title, &description, table, analysis);
-    shown.tables.push(points(study, table));
-    let text = page(&shown);
+    let mut whole = Page::of(&study.title, &description, table, analysis);
+    whole.figures = shown;
+    whole.tables.push(points(study, table));
+    let text = page(&whole);
     files.push(store.write("report.html", text.map_err(|error| other(error.to_string()))?.as_bytes())?);
     Ok(files)
 }
@@ -50,7 +56,7 @@ fn leading(table: &Table) -> Table {
         seen.insert((point.map(f64::to_bits), model.clone()))
     };
     let keep: Vec<bool> = points.iter().zip(models).map(&mut is_new).collect();
-    rows(table, &keep)
+    part_rows::rows(table, &keep)
 }
 
 /// The points with what the study looks at, as the page shows them.
@@ -92,71 +98,34 @@ fn lacking(collected: &Collected) -> Table {
     }
 }
 
-/// What the study says: each part for itself, since each has a design of its own, and the charts that the
-/// file asks for.
+/// What the study says: each part for itself, since each has a design of its own.
 fn analysis(study: &Study, table: &Table) -> Analysis {
     let mut all = Analysis::default();
     for part in study.evaluated_parts() {
-        let rows = of_part(table, part);
+        let is_asked = |chart: &&ChartWish| match &chart.part {
+            Some(name) => *name == part.name,
+            None => study.parts.len() == 1,
+        };
+        let mut asked = study.charts.iter().filter(is_asked);
+        let has_charts = asked.clone().next().is_some();
         let request = AnalysisRequest {
             responses: study.responses.clone(),
-            charts: charts(study, Some(part)),
+            has_collapse: asked.any(|chart| chart.collapse && chart.y == "F_H_bar" && chart.x == "Z"),
             seed: part.seed,
             ..Default::default()
         };
-        add(&mut all, analyse(&rows, &request), part, &request.charts);
+        add(&mut all, analyse(&of_part(table, part), &request), part, has_charts);
     }
-    // Charts over all parts; a study of one part has had its own.
-    let over_all = charts(study, None);
-    if !over_all.is_empty() {
-        let request = AnalysisRequest { charts: over_all, ..Default::default() };
-        let analysis = analyse(&without_factors(table), &request);
-        all.charts.extend(analysis.charts.into_iter().filter(|chart| is_asked_for(study, &chart.name)));
-    }
-    // What was asked for comes first.
-    all.charts.sort_by_key(|chart| !is_asked_for(study, &chart.name));
     all
 }
 
-fn is_asked_for(study: &Study, name: &str) -> bool {
-    study.charts.iter().any(|chart| name == chart.name)
-}
-
-/// The charts that the file asks for of a part, or of all parts.
-fn charts(study: &Study, part: Option<&Part>) -> Vec<ChartRequest> {
-    let is_single = study.parts.len() == 1;
-    let wanted = study.charts.iter().filter(|chart| match (&chart.part, part) {
-        (Some(name), Some(part)) => *name == part.name,
-        (None, Some(_)) => is_single,
-        (None, None) => !is_single,
-        (Some(_), None) => false,
-    });
-    wanted
-        .map(|chart| ChartRequest {
-            name: chart.name.clone(),
-            x: chart.x.clone(),
-            y: chart.y.clone(),
-            family: chart.family.clone(),
-            logarithmic: chart.logarithmic,
-            logarithmic_x: chart.logarithmic_x,
-            collapse: chart.collapse,
-        })
-        .collect()
-}
-
-/// Adds the analysis of a part. Where the file names charts of it, only these are drawn; of a study of parts,
-/// others are named after their part.
-fn add(all: &mut Analysis, found: Analysis, part: &Part, asked: &[ChartRequest]) {
-    let is_asked = |name: &str| asked.iter().any(|chart| chart.name == name);
+/// Adds the analysis of a part, named after it in a study of parts; without charts where the file asks for
+/// some of the part.
+fn add(all: &mut Analysis, found: Analysis, part: &Part, has_charts: bool) {
     let is_named = !part.name.is_empty();
-    for mut chart in found.charts {
-        if is_named && !asked.is_empty() && !is_asked(&chart.name) {
-            continue;
-        }
-        if is_named && !is_asked(&chart.name) {
-            chart.name = format!("{}_{}", part.name, chart.name);
-        }
+    for mut chart in found.charts.into_iter().filter(|_| !(is_named && has_charts)) {
         if is_named {
+            chart.name = format!("{}_{}", part.name, chart.name);
             chart.caption = format!("Part {}. {}", part.name, chart.caption);
         }
         all.charts.push(chart);
@@ -171,41 +140,4 @@ fn add(all: &mut Analysis, found: Analysis, part: &Part, asked: &[ChartRequest])
     }
     let told = found.remarks.into_iter();
     all.remarks.extend(told.map(|text| if is_named { format!("Part {}: {text}", part.name) } else { text }));
-}
-
-/// The rows of a part, with the factors that it varies.
-fn of_part(table: &Table, part: &Part) -> Table {
-    if part.name.is_empty() {
-        return table.clone();
-    }
-    let names = table.words("part").unwrap_or_default();
-    let keep: Vec<bool> = names.iter().map(|name| name.as_deref() == Some(part.name.as_str())).collect();
-    rows(table, &keep)
-}
-
-/// The rows of a table that are kept.
-fn rows(table: &Table, keep: &[bool]) -> Table {
-    let columns =
-        table.columns.iter().map(|column| Column { values: kept(&column.values, keep), ..column.clone() });
-    Table { columns: columns.collect() }
-}
-
-fn kept(values: &Values, keep: &[bool]) -> Values {
-    match values {
-        Values::Numbers(list) => Values::Numbers(
-            list.iter().zip(keep).filter(|(_, keep)| **keep).map(|(value, _)| *value).collect(),
-        ),
-        Values::Words(list) => Values::Words(
-            list.iter().zip(keep).filter(|(_, keep)| **keep).map(|(word, _)| word.clone()).collect(),
-        ),
-    }
-}
-
-/// The table with its factors as plain columns: no effects are looked for.
-fn without_factors(table: &Table) -> Table {
-    let plain = |column: &Column| match column.role {
-        Role::Factor => Column { role: Role::Key, ..column.clone() },
-        _ => column.clone(),
-    };
-    Table { columns: table.columns.iter().map(plain).collect() }
 }

@@ -4,7 +4,7 @@ use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::Outcome;
 use crate::files;
-use crate::study::{BaseCase, Study};
+use crate::study::{BaseCase, Study, copy_name};
 use coulter::formats;
 use coulter::output::{FileError, Inside};
 use serde::{Deserialize, Serialize};
@@ -128,6 +128,11 @@ impl Store {
             files::write(&store.inside(&case_file(n)), case.text.as_bytes())?;
             let path = std::path::absolute(&case.path).unwrap_or_else(|_| PathBuf::from(&case.path));
             case.path = path.display().to_string();
+        }
+        for chart in &study.charts {
+            for (n, measured) in chart.measured.iter().enumerate() {
+                store.write(&copy_name(&chart.name, n), &measured.bytes)?;
+            }
         }
         let origin = Origin { format: FORMAT, study: study.name.clone(), quick: study.is_quick, cases };
         let origin = serde_json::to_string_pretty(&origin).unwrap_or_default() + "\n";

@@ -1,0 +1,84 @@
+//! What a page consists of: paths and text at places, from which SVG and PDF are written.
+
+use super::text::LaidText;
+
+/// A part of a path; places as the path has them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Segment {
+    /// To a new start.
+    Move([f64; 2]),
+    /// A line to a place.
+    Line([f64; 2]),
+    /// A curve with one control point.
+    Bend([f64; 2], [f64; 2]),
+    /// A curve with two control points, and its end.
+    Curve([[f64; 2]; 3]),
+    /// Back to the start.
+    Close,
+}
+
+/// A colour: red, green, blue.
+pub(super) type Colour = [u8; 3];
+
+/// How a line is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Pen {
+    pub(super) colour: Colour,
+    /// Width [pt].
+    pub(super) width: f64,
+    /// Lengths of dashes and gaps [pt]; empty for a solid line.
+    pub(super) dashes: Vec<f64>,
+}
+
+impl Pen {
+    /// A solid black line.
+    pub(super) fn black(width: f64) -> Self {
+        Self { colour: [0; 3], width, dashes: Vec::new() }
+    }
+}
+
+/// A path or a text.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Item {
+    /// A path, drawn and filled.
+    Path {
+        /// What it is, for tests and for those who edit the file: `mark`, `error`, `curve`.
+        class: &'static str,
+        segments: Vec<Segment>,
+        pen: Option<Pen>,
+        fill: Option<Colour>,
+    },
+    /// A text.
+    Text {
+        text: LaidText,
+        /// Where its baseline begins.
+        at: [f64; 2],
+        /// Whether it runs upwards.
+        is_turned: bool,
+    },
+}
+
+/// A page [pt], y downwards from its top left corner.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Drawing {
+    pub(super) size: [f64; 2],
+    pub(super) items: Vec<Item>,
+}
+
+impl Drawing {
+    /// Adds a path.
+    pub(super) fn path(
+        &mut self,
+        class: &'static str,
+        segments: Vec<Segment>,
+        pen: Option<Pen>,
+        fill: Option<Colour>,
+    ) {
+        self.items.push(Item::Path { class, segments, pen, fill });
+    }
+
+    /// Adds a text whose baseline begins at a place.
+    pub(super) fn text(&mut self, text: LaidText, at: [f64; 2]) {
+        self.items.push(Item::Text { text, at, is_turned: false });
+    }
+}
