@@ -5,8 +5,8 @@ use coulter::case::table_file::plain_name;
 use coulter::history::BodySample;
 use coulter::history::columns::{Column, FORCES};
 
-/// The column of `forces.csv` of a name: its header without the unit, `displacement u`, or without its symbol,
-/// `displacement`.
+/// The column of `forces.csv` of a name: its header without the unit, `displacement u`, or without its
+/// symbol, `displacement`.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Column<BodySample>> {
     let name = name.split('[').next().unwrap_or_default();

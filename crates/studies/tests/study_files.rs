@@ -260,7 +260,7 @@ fn broken_figures_are_refused_with_place_and_cure() {
     with("legend = \"top lift\"", &["did you mean \"top left\"?"]);
     with("x_range = [1, 1]", &["cannot have these ends"]);
     with("scale = \"logarithmic\"\ny_range = [0, 1]", &["cannot have these ends", "above 0"]);
-    with("x_range = [\"1 m\", \"2 m\"]", &["two numbers"]);
+    with("x_range = [\"1 m\", \"2 m\"]", &["expected a number, found text"]);
     with("measured = [\"none.csv\"]", &["none.csv", "relative to the folder"]);
     with("measured = [\"disc.toml\"]", &["no column `phi` and `drag`", "name its columns"]);
     with("measured = [\"disc.toml\"]\nmeasured_labels = [\"a\", \"b\"]", &["2 labels of 1 measured"]);

@@ -57,8 +57,8 @@ impl Frame {
     }
 }
 
-/// Both axes of a figure, number 0 and 1, for a rectangle of this size [pt], the y axis with some more room at
-/// its top, over its range.
+/// Both axes of a figure, number 0 and 1, for a rectangle of this size [pt], the y axis with some more room
+/// at its top, over its range.
 pub(super) fn scaled(figure: &Figure, size: [f64; 2], room: f64) -> [ScaledAxis; 2] {
     [0, 1].map(|number| {
         let axis = if number == 0 { &figure.x } else { &figure.y };

@@ -2,11 +2,12 @@
 
 use super::axes::{Frame, ScaledAxis, scaled};
 use super::content::{Figure, FigureAxis, LegendPlace};
-use super::drawing::{Drawing, Item, Pen, Segment};
+use super::drawing::{Drawing, Item, Pen};
 use super::label::{capitalised, pieces, plain};
 use super::legend::{Block, Legend};
 use super::look::looks;
 use super::plotted::{draw_series, occupied};
+use super::segment::Segment;
 use super::svg::POINTS;
 use super::text::LaidText;
 

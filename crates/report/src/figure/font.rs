@@ -1,6 +1,6 @@
 //! The faces of the text: metrics and outlines.
 
-use super::drawing::Segment;
+use super::segment::Segment;
 use std::sync::LazyLock;
 use ttf_parser::{GlyphId, OutlineBuilder};
 

@@ -2,9 +2,10 @@
 
 use super::axes::Frame;
 use super::content::{Figure, FigureSeries, LegendPlace, SeriesKind};
-use super::drawing::{Drawing, Segment};
+use super::drawing::Drawing;
 use super::label::{Piece, pieces, plain};
 use super::look::{Look, Mark, draw_mark, names};
+use super::segment::Segment;
 use super::text::LaidText;
 
 /// Length of a line in the legend, the gap behind it and between columns [em].
@@ -160,8 +161,8 @@ impl Legend {
     }
 }
 
-/// The entries. Where every kind has one source, levels and sources are named apart: a level with its line and
-/// its mark, then what lines and marks are.
+/// The entries. Where every kind has one source, levels and sources are named apart: a level with its line
+/// and its mark, then what lines and marks are.
 pub(super) fn entries(figure: &Figure, looks: &[Look]) -> Vec<NamedLook> {
     let all: Vec<(&FigureSeries, &Look)> = figure.series.iter().zip(looks).collect();
     let of = |kind: SeriesKind| all.iter().filter(move |(series, _)| series.kind == kind);

@@ -1,7 +1,8 @@
 //! How series differ: marks, dashes and colours, so that they are told apart without colour, too.
 
 use super::content::{Figure, FigureSeries, SeriesKind};
-use super::drawing::{Colour, Drawing, Pen, Segment};
+use super::drawing::{Colour, Drawing, Pen};
+use super::segment::Segment;
 use crate::plots::CURVES;
 
 /// Dashes and gaps over the width of the line; the first is solid.

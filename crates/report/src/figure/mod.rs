@@ -16,6 +16,7 @@ mod look;
 mod pdf;
 mod plotted;
 mod python;
+mod segment;
 mod svg;
 #[cfg(test)]
 mod tests;

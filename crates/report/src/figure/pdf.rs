@@ -1,7 +1,8 @@
 //! A page as a PDF document: text stays text, in the faces that it brings along.
 
-use super::drawing::{Drawing, Item, Pen, Segment};
+use super::drawing::{Drawing, Item, Pen};
 use super::font::Face;
+use super::segment::Segment;
 use super::text::LaidText;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;

@@ -2,8 +2,9 @@
 
 use super::axes::Frame;
 use super::content::{Figure, FigurePoint, FigureSeries, SeriesKind};
-use super::drawing::{Drawing, Pen, Segment};
+use super::drawing::{Drawing, Pen};
 use super::look::{Look, draw_halo, draw_mark};
+use super::segment::Segment;
 
 /// Distance on the page below which a point of a line shows nothing new [pt].
 const VISIBLE: f64 = 0.12;

@@ -1,6 +1,7 @@
 //! A page as SVG text: letters are outlines, so that it looks the same wherever it is opened.
 
-use super::drawing::{Colour, Drawing, Item, Pen, Segment};
+use super::drawing::{Colour, Drawing, Item, Pen};
+use super::segment::Segment;
 use super::text::LaidText;
 use input::printed::plain;
 use std::fmt::Write as _;

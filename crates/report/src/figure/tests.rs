@@ -1,7 +1,8 @@
 //! Figures as wholes: nothing is hidden or cut off, the files are what they should be.
 
 use super::compose::compose;
-use super::drawing::{Drawing, Item, Segment};
+use super::drawing::{Drawing, Item};
+use super::segment::Segment;
 use super::*;
 
 fn series(kind: SeriesKind, level: &str, source: &str, value: impl Fn(f64) -> f64) -> FigureSeries {

@@ -2,9 +2,9 @@
 //! running median.
 
 use super::classes::classes;
-use super::family::ChartRequest;
 use super::label::{axis_label, class_name, plain_label};
 use super::named::{NamedChart, file_name};
+use super::request::ChartRequest;
 use crate::statistics::collapse::{Collapse, collapse};
 use crate::table::Table;
 use coulter::output::digits;

@@ -4,6 +4,7 @@
 use super::classes::{Class, MOST_CLASSES, classes, models};
 use super::collapse::scatter;
 use super::label::{axis_label, class_name, plain_label};
+use super::request::ChartRequest;
 use crate::statistics::collapse::collapse;
 use crate::table::{Column, Role, Table, Values};
 use coulter::output::figure::{Figure, FigureAxis, FigurePoint, FigureSeries, SeriesKind};
@@ -11,26 +12,6 @@ use coulter::output::figure::{Figure, FigureAxis, FigurePoint, FigureSeries, Ser
 /// Levels of the x axis up to which points are joined through their means where other factors vary, too
 /// (chosen).
 const MOST_LEVELS: usize = 12;
-
-/// A chart that a study asks for.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ChartRequest {
-    /// Name of its file; made from the columns where it is empty.
-    pub name: String,
-    /// Name of the column of the x axis, of numbers or of words.
-    pub x: String,
-    /// Name of the column of the y axis, of numbers.
-    pub y: String,
-    /// Name of the column whose levels, or ranges where it has many, have a curve each.
-    pub family: Option<String>,
-    /// Whether both axes are logarithmic.
-    pub logarithmic: bool,
-    /// Whether the x axis alone is logarithmic.
-    pub logarithmic_x: bool,
-    /// Whether to say how well all points fall onto one curve: dots, and their scatter about a running
-    /// median.
-    pub collapse: bool,
-}
 
 /// The model of the runs of the solver.
 const SOLVER: &str = "solver";

@@ -80,7 +80,7 @@ pub(super) fn read(
             Whence::Named(folder) => folder.join(name),
             Whence::Copies(folder) => folder.join(copy_name(axes.chart, n)),
         };
-        match points(&file, [&x, &y]) {
+        match bytes(&file).and_then(|bytes| points(bytes, [&x, &y])) {
             Ok(mut points) => {
                 let stem = PathBuf::from(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
                 points.label = labels.get(n).cloned().or(stem).unwrap_or_default();
@@ -106,11 +106,15 @@ fn unit_of(name: &str, is_history: bool, factors: &[Factor]) -> Option<Wanted> {
     Some(Wanted { name: name.to_owned(), unit })
 }
 
-/// The points of a file; message and cure where it has none.
-fn points(path: &Path, [x, y]: [&Wanted; 2]) -> Result<MeasuredPoints, [String; 2]> {
-    let bytes = files::read(path, MOST_BYTES).map_err(|error| {
+/// The bytes of a file; message and cure where there are none.
+fn bytes(path: &Path) -> Result<Vec<u8>, [String; 2]> {
+    files::read(path, MOST_BYTES).map_err(|error| {
         [error.to_string(), "check the path, which is relative to the folder of the study".to_owned()]
-    })?;
+    })
+}
+
+/// The points of a file; message and cure where it has none.
+fn points(bytes: Vec<u8>, [x, y]: [&Wanted; 2]) -> Result<MeasuredPoints, [String; 2]> {
     let text = TableText::decode(bytes.clone()).map_err(|error| [error.message, error.cure])?;
     let file = TableFile::new(text);
     let mut found = MeasuredPoints { bytes, ..MeasuredPoints::default() };
@@ -166,11 +170,8 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<MeasuredPoints, [String; 2]> {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("tests.csv");
-        std::fs::write(&path, text).unwrap();
         let wanted = |name: &str, unit: &str| Wanted { name: name.into(), unit: unit.into() };
-        points(&path, [&wanted("Z", "-"), &wanted("drag", "N")])
+        points(text.as_bytes().to_vec(), [&wanted("Z", "-"), &wanted("drag", "N")])
     }
 
     #[test]
