@@ -15,6 +15,15 @@ const TEMPLATE: &str = include_str!("../../assets/study.html");
 #[error("the page of the study cannot be made: {0}")]
 pub struct PageError(#[from] minijinja::Error);
 
+/// A figure for print on the page.
+#[derive(Clone, Debug)]
+pub struct PageFigure {
+    /// The figure.
+    pub chart: NamedChart,
+    /// Whether it is two columns wide.
+    pub is_wide: bool,
+}
+
 /// What stands on the page.
 #[derive(Clone, Debug, Default)]
 pub struct Page {
@@ -33,7 +42,7 @@ pub struct Page {
     /// What could not be computed.
     pub remarks: Vec<String>,
     /// Figures for print, with their files in the folder `figures` beside the page.
-    pub figures: Vec<NamedChart>,
+    pub figures: Vec<PageFigure>,
     /// Charts.
     pub charts: Vec<NamedChart>,
     /// Tables; columns without values are left out, and rows after the first two hundred.
@@ -71,11 +80,12 @@ struct ShownChart<'a> {
     name: &'a str,
     caption: &'a str,
     svg: &'a str,
+    is_wide: bool,
 }
 
 impl<'a> ShownChart<'a> {
     fn of(chart: &'a NamedChart) -> Self {
-        Self { name: &chart.name, caption: &chart.caption, svg: &chart.svg }
+        Self { name: &chart.name, caption: &chart.caption, svg: &chart.svg, is_wide: false }
     }
 }
 
@@ -110,7 +120,11 @@ pub fn page(page: &Page) -> Result<String, PageError> {
         gaps: &page.gaps,
         warnings: &page.warnings,
         remarks: &page.remarks,
-        figures: page.figures.iter().map(ShownChart::of).collect(),
+        figures: page
+            .figures
+            .iter()
+            .map(|figure| ShownChart { is_wide: figure.is_wide, ..ShownChart::of(&figure.chart) })
+            .collect(),
         charts: page.charts.iter().map(ShownChart::of).collect(),
         tables: page.tables.iter().map(shown_table).collect(),
         version: &page.version,

@@ -5,4 +5,4 @@ mod html;
 mod shown;
 
 pub use gaps::{Gap, gaps};
-pub use html::{Page, PageError, page};
+pub use html::{Page, PageError, PageFigure, page};

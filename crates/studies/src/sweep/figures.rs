@@ -5,6 +5,7 @@ use super::part_rows::of_part;
 use super::store::{Store, StudyError};
 use crate::charts::{ChartRequest, NamedChart, RunCurve, ToldFigure, family_figure, history_figure};
 use crate::history_columns;
+use crate::page::PageFigure;
 use crate::sources::{BodySamples, read_samples};
 use crate::study::{ChartWish, Study};
 use crate::table::{Column, Role, Table, Values};
@@ -22,7 +23,7 @@ pub(super) struct FigureSet {
     /// The figures with their files.
     pub(super) figures: Vec<(Figure, FigureFiles)>,
     /// The same as the page shows them.
-    pub(super) shown: Vec<NamedChart>,
+    pub(super) shown: Vec<PageFigure>,
     /// What could not be drawn and why, a sentence each.
     pub(super) remarks: Vec<String>,
 }
@@ -45,12 +46,13 @@ pub(super) fn figures(store: &Store, study: &Study, table: &Table) -> FigureSet 
                 let files = figure_files(&figure);
                 let part = part.filter(|part| !part.name.is_empty());
                 let part = part.map(|part| format!("Part {}. ", part.name)).unwrap_or_default();
-                set.shown.push(NamedChart {
+                let chart = NamedChart {
                     name: figure.name.clone(),
                     title: told.caption.clone(),
                     caption: format!("{part}{}", told.caption),
                     svg: files.svg.clone(),
-                });
+                };
+                set.shown.push(PageFigure { chart, is_wide: wish.columns > 1 });
                 set.figures.push((figure, files));
             }
             Err(why) => set.remarks.push(format!("The figure {} is not drawn: {why}.", wish.name)),
