@@ -18,11 +18,11 @@ DATA = ROOT / "docs" / "data" / "paper.csv"
 BEGIN, END = "<!-- Below: scripts/paper/page.py -->", "<!-- Above: scripts/paper/page.py -->"
 # What of the table of the study is kept.
 KEPT = [
-    "point", "part", "model", "body", "W_bar", "phi", "psi", "cohesion", "E", "density", "t_bar", "d", "depth", "axle", "spacing",
+    "point", "id", "part", "model", "body", "W_bar", "phi", "psi", "cohesion", "E", "density", "t_bar", "d", "depth", "axle", "spacing",
     "drag", "vertical", "F_H_bar", "F_H_bar_low", "F_H_bar_high", "F_V_bar", "F_V_bar_low", "F_V_bar_high", "Z", "Z_low", "Z_high",
     "turn_ratio", "state", "grade",
 ]  # fmt: skip
-# Of each part what it varies, with how it is shown.
+# Of each part what it varies, with how it is shown; others repeat points of these.
 PARTS = {
     "fixed": ("held in sand", ["axle", "depth"]),
     "fixed_textbook": ("held in textbook soil", ["axle", "depth"]),
@@ -41,15 +41,16 @@ HELD = ("fixed", "fixed_textbook")
 
 
 def read(path):
-    """The leading row of every point and model: of several bodies all together. Headers lose their units."""
+    """The leading row of every case: of several bodies all together. Headers lose their units."""
     with open(path, encoding="utf-8", newline="") as file:
         lines = list(csv.reader(file))
     head = [name.split(" [")[0] for name in lines[0]]
     rows, seen = [], set()
     for line in lines[1:]:
         row = dict(zip(head, line))
-        if (row["point"], row["model"]) not in seen:
-            seen.add((row["point"], row["model"]))
+        # A run that stands in several parts counts once.
+        if row["id"] not in seen:
+            seen.add(row["id"])
             rows.append({name: row.get(name, "") for name in KEPT})
     return rows
 
@@ -100,7 +101,7 @@ class Pair:
 
 def pairs(rows):
     closed = {row["point"]: row for row in rows if row["model"] != "solver"}
-    return [Pair(row, closed.get(row["point"])) for row in rows if row["model"] == "solver"]
+    return [Pair(row, closed.get(row["point"])) for row in rows if row["model"] == "solver" and row["part"] in PARTS]
 
 
 def table(points):

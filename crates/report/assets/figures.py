@@ -17,6 +17,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
+# Points of a line up to which their intervals are drawn.
+MOST_BARS = 24
 
 
 @dataclass
@@ -105,8 +107,8 @@ def line(look, figure):
     return {"color": look.colour, "linewidth": width, "linestyle": (0, tuple(look.dashes)) if look.dashes else "-"}
 
 
-def bars(axes, point, look, figure):
-    """Error bars of a point."""
+def bars(axes, point, look, figure, cap=0.3):
+    """Error bars of a point; `cap` is the half-width of a cap over the size of a mark."""
     x, y, x_ends, y_ends, _ = point
     errors = {}
     if y_ends[0] == y_ends[0]:
@@ -115,7 +117,7 @@ def bars(axes, point, look, figure):
         errors["xerr"] = [[max(x - x_ends[0], 0)], [max(x_ends[1] - x, 0)]]
     if errors:
         axes.errorbar(x, y, fmt="none", ecolor=look.colour, elinewidth=0.7 * figure.line_width,
-                      capsize=0.3 * figure.mark_size, capthick=0.7 * figure.line_width, zorder=2.5, **errors)
+                      capsize=cap * figure.mark_size, capthick=0.7 * figure.line_width, zorder=2.5, **errors)
 
 
 def breaks(points):
@@ -136,7 +138,9 @@ def plot(axes, figure):
         look = figure.looks.get(key, Look("#000000", "o", []))
         if key[0] == "line":
             for part in breaks(points):
-                axes.plot(*zip(*part), **line(look, figure), zorder=2)
+                axes.plot(*zip(*part), **line(look, figure), marker="_" if len(points) == 1 else None, zorder=2)
+            for point in points if len(points) <= MOST_BARS else ():
+                bars(axes, point, look, figure, cap=0)
             continue
         for point in points:
             bars(axes, point, look, figure)

@@ -6,6 +6,10 @@ use super::drawing::{Drawing, Pen};
 use super::look::{Look, draw_halo, draw_mark};
 use super::segment::Segment;
 
+/// Points of a line up to which their intervals are drawn, and how far beside them, over the size of a mark
+/// (chosen).
+const MOST_BARS: usize = 24;
+const BESIDE: f64 = 0.55;
 /// Distance on the page below which a point of a line shows nothing new [pt].
 const VISIBLE: f64 = 0.12;
 
@@ -16,12 +20,13 @@ pub(super) fn draw_series(drawing: &mut Drawing, figure: &Figure, frame: &Frame,
     for (series, look) in of(SeriesKind::Dots) {
         draw_marks(drawing, figure, frame, series, look);
     }
-    for (series, look) in of(SeriesKind::Line) {
+    for (number, (series, look)) in of(SeriesKind::Line).enumerate() {
         for part in lines(figure, frame, series) {
             let mut segments = vec![Segment::Move(part[0])];
             segments.extend(part[1..].iter().map(|at| Segment::Line(*at)));
             drawing.path("curve", segments, Some(look.pen(figure.style.line_width)), None);
         }
+        draw_points_of_a_line(drawing, (figure, frame), (number, series), look);
     }
     for kind in [SeriesKind::Dots, SeriesKind::Computed, SeriesKind::Measured] {
         for (series, look) in of(kind) {
@@ -36,6 +41,36 @@ pub(super) fn draw_series(drawing: &mut Drawing, figure: &Figure, frame: &Frame,
         if kind != SeriesKind::Dots {
             of(kind).for_each(|(series, look)| draw_marks(drawing, figure, frame, series, look));
         }
+    }
+}
+
+/// Draws what a line does not show: a point that is alone, as a short dash, and the intervals of few points,
+/// without caps and beside those of the marks and of lines before it that stand at the same place.
+fn draw_points_of_a_line(
+    drawing: &mut Drawing,
+    (figure, frame): (&Figure, &Frame),
+    (number, series): (usize, &FigureSeries),
+    look: &Look,
+) {
+    let pen =
+        |part: f64| Pen { colour: look.colour, width: part * figure.style.line_width, dashes: Vec::new() };
+    let size = figure.style.mark_size;
+    if let [alone] = series.points.as_slice()
+        && let Some([x, y]) = frame.at(figure, alone.at).filter(|at| frame.contains(*at))
+    {
+        let dash = vec![Segment::Move([x - size, y]), Segment::Line([x + size, y])];
+        drawing.path("curve", dash, Some(pen(1.0)), None);
+    }
+    if series.points.len() > MOST_BARS {
+        return;
+    }
+    let [left, _, right, _] = frame.rectangle;
+    let beside = BESIDE * (number + 1) as f64 * size;
+    for [from, to] in series.points.iter().flat_map(|point| bars(figure, frame, point)) {
+        let aside = if from[0] + beside > right { -beside } else { beside };
+        let moved = |[x, y]: [f64; 2]| [(x + aside).clamp(left, right), y];
+        let bar = vec![Segment::Move(moved(from)), Segment::Line(moved(to))];
+        drawing.path("error", bar, Some(pen(0.6)), None);
     }
 }
 
@@ -70,6 +105,8 @@ pub(super) fn occupied(figure: &Figure, frame: &Frame, step: f64) -> Vec<[f64; 2
             for part in lines(figure, frame, series) {
                 part.windows(2).for_each(|pair| along(pair[0], pair[1]));
             }
+        }
+        if series.kind == SeriesKind::Line && series.points.len() > MOST_BARS {
             continue;
         }
         for point in &series.points {

@@ -190,6 +190,9 @@ impl Shown<'_> {
 /// The means at each place of x; intervals of a mean are not known.
 fn means(points: &[FigurePoint]) -> Vec<FigurePoint> {
     let mean = |part: &[FigurePoint]| {
+        if let [alone] = part {
+            return alone.clone();
+        }
         let sum: f64 = part.iter().map(|point| point.at[1]).sum();
         FigurePoint { at: [part[0].at[0], sum / part.len() as f64], ..FigurePoint::default() }
     };
