@@ -9,6 +9,7 @@ A point of both models agrees where the closed form lies in the interval of the 
 """
 
 import csv
+import statistics
 import sys
 from pathlib import Path
 
@@ -144,10 +145,26 @@ def counts(points):
     return lines, ", ".join(f"{count} {grade}" for grade, count in sorted(grades.items()))
 
 
+def slope(points):
+    """How near the drag of a free disc over its weight comes to √(Z/(1 − Z)), in a sentence."""
+    free = [pair.solver for pair in points if pair.part not in (*HELD, "wing") and pair.solver["state"] == "done"]
+    errors = []
+    for row in free:
+        z = number(row, "Z")
+        errors.append(number(row, "drag") / number(row, "vertical") / (z / (1 - z)) ** 0.5 - 1)
+    errors.sort()
+    near = sum(abs(error) <= 0.2 for error in errors)
+    return (
+        f"Of the {len(errors)} free discs of the solver {near} have a drag over weight within 20 % of √(Z/(1 − Z)); the median is "
+        f"{round(100 * statistics.median(errors))} %, the ends are {100 * errors[0]:+.0f} and {100 * errors[-1]:+.0f} %."
+    ).replace("-", "−")
+
+
 def page(rows):
     points = pairs(rows)
     lines, grades = counts(points)
-    body = [f"{len(points)} points of the solver: {grades}.", "", *lines, "", *table(points)]
+    count = f"{len(points)} points of the solver: {grades}."
+    body = [count, "", *lines, "", slope(points), "", *table(points)]
     text = PAGE.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN)
     return before + BEGIN + "\n\n" + "\n".join(body) + "\n\n" + END + rest.split(END)[1]
