@@ -9,7 +9,7 @@ use std::time::Duration;
 /// Most cells of a case that is tried as a whole, which takes little time; of a larger one it is a region.
 const MOST_CELLS: f64 = 2e5;
 /// Cells along each axis of the trial region.
-const MAX_CELLS: usize = 56;
+const MAX_CELLS: usize = 40;
 /// Number and duration of the trials, of which the median counts; in processor time, so that other programs
 /// do not matter much.
 const TRIALS: usize = 9;

@@ -207,12 +207,12 @@ fn a_folder_of_another_format_is_refused_with_what_to_do() {
     sandbox.run(&["sweep", "expand", "study.toml", "-o", "s"], 0);
     let origin = std::fs::read_to_string(sandbox.path("s/origin.json")).unwrap();
     for (format, words) in [
-        ("\"format\": 2,", ["newer than this version", "install a newer version"]),
+        ("\"format\": 3,", ["newer than this version", "install a newer version"]),
         ("\"format\": 0,", ["no longer read", "-o DIR"]),
         ("", ["does not say in which format", "-o DIR"]),
     ] {
-        assert!(origin.contains("\"format\": 1,"), "{origin}");
-        std::fs::write(sandbox.path("s/origin.json"), origin.replace("\"format\": 1,", format)).unwrap();
+        assert!(origin.contains("\"format\": 2,"), "{origin}");
+        std::fs::write(sandbox.path("s/origin.json"), origin.replace("\"format\": 2,", format)).unwrap();
         for arguments in [&["sweep", "collect", "s"][..], &["sweep", "expand", "study.toml", "-o", "s"]] {
             let said = sandbox.run(arguments, 2);
             assert!(words.iter().all(|word| said.contains(word)), "{arguments:?}: {said}");

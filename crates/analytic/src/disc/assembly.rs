@@ -17,10 +17,10 @@ pub struct Assembly {
 ///
 /// Group rule, derived for this project: touching discs (s = t) act as one disc of thickness n t; discs whose
 /// gap exceeds twice the rupture distance r_f act independently. Beside each disc soil fails in a wedge whose
-/// height falls to zero over r_f; two such wedges at a gap s − t share a triangle, which is to the one that they
-/// share when the discs touch as (1 − (s − t)/(2 r_f))² to 1. That is the weight w of
-/// F = (1 − w) n F(t) + w F(n t). Both limits are exact for the model. The square was taken after the forces of
-/// discs in D9 were known, which an overlap that falls linearly missed (docs/models/disc-assembly.md).
+/// height falls to zero over r_f; two such wedges at a gap s − t share a triangle, which is to the one that
+/// they share when the discs touch as (1 − (s − t)/(2 r_f))² to 1. That is the weight w of
+/// F = (1 − w) n F(t) + w F(n t). Both limits are exact for the model. The square was taken after the forces
+/// of discs in D9 were known, which an overlap that falls linearly missed (docs/models/disc-assembly.md).
 ///
 /// # Errors
 /// Unless 1 ≤ n ≤ 1000 and s ≥ t, and as [`disc_forces`].

@@ -26,7 +26,7 @@ pub(super) fn draw_series(drawing: &mut Drawing, figure: &Figure, frame: &Frame,
             segments.extend(part[1..].iter().map(|at| Segment::Line(*at)));
             drawing.path("curve", segments, Some(look.pen(figure.style.line_width)), None);
         }
-        draw_points_of_a_line(drawing, (figure, frame), (number, series), look);
+        draw_points_of_a_line(drawing, figure, frame, number, series, look);
     }
     for kind in [SeriesKind::Dots, SeriesKind::Computed, SeriesKind::Measured] {
         for (series, look) in of(kind) {
@@ -48,8 +48,10 @@ pub(super) fn draw_series(drawing: &mut Drawing, figure: &Figure, frame: &Frame,
 /// without caps and beside those of the marks and of lines before it that stand at the same place.
 fn draw_points_of_a_line(
     drawing: &mut Drawing,
-    (figure, frame): (&Figure, &Frame),
-    (number, series): (usize, &FigureSeries),
+    figure: &Figure,
+    frame: &Frame,
+    number: usize,
+    series: &FigureSeries,
     look: &Look,
 ) {
     let pen =
@@ -59,7 +61,7 @@ fn draw_points_of_a_line(
         && let Some([x, y]) = frame.at(figure, alone.at).filter(|at| frame.contains(*at))
     {
         let dash = vec![Segment::Move([x - size, y]), Segment::Line([x + size, y])];
-        drawing.path("curve", dash, Some(pen(1.0)), None);
+        drawing.path("curve", dash, Some(look.pen(figure.style.line_width)), None);
     }
     if series.points.len() > MOST_BARS {
         return;

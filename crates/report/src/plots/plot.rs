@@ -132,7 +132,7 @@ impl BodyHistory<'_> {
         }
     }
 
-    /// The unit of numbers up to `largest` of this SI unit. In weightless soil there is no force of reference.
+    /// The unit of numbers up to `largest` of this SI unit. Weightless soil has no force of reference.
     fn unit(&self, si: &'static str, largest: f64) -> Unit {
         let name = match si {
             "N" => "γtd²",

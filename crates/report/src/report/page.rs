@@ -113,7 +113,7 @@ pub(crate) fn write_report(
     (history, rims): (&History, &[Vec<RimLine>]),
     text: &ReportText,
 ) -> Result<(), OutputError> {
-    let empty = BodySummary::default();
+    let (empty, units) = (BodySummary::default(), text.wishes.units);
     let mut bodies = Vec::new();
     for (n, (reference, samples)) in record.bodies.iter().zip(&history.bodies).enumerate() {
         if !reference.has_surface() {
@@ -121,13 +121,7 @@ pub(crate) fn write_report(
         }
         let body = summary.bodies.get(&reference.name).unwrap_or(&empty);
         let overlays = [record.overlays.as_slice(), text.wishes.laid_over.as_slice()].concat();
-        let view = BodyHistory {
-            reference,
-            samples,
-            steady: &body.steady,
-            overlays: &overlays,
-            units: text.wishes.units,
-        };
+        let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &overlays, units };
         let mut plots = view.plots();
         plots.extend(rim_plots(reference, rims.get(n).map_or(&[], Vec::as_slice)));
         write_plots(dir, &plots)?;

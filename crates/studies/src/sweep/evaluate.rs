@@ -110,11 +110,11 @@ fn outcome(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
                 } else {
                     outlook.forecast.recommendation.replace('\n', " ")
                 },
-                rows: closed_forms(&outlook, (&case, line)),
+                rows: closed_forms(&outlook, &case, line),
             },
             Err(why) => refused(format!("there is no forecast for this case: {why}")),
         }),
-        ModelKind::Solver => solved(shared, line, (base, case)),
+        ModelKind::Solver => solved(shared, line, base, case),
     }
 }
 
@@ -124,7 +124,7 @@ fn rolling_radius(case: &Case) -> Option<f64> {
 }
 
 /// The rows of the closed forms that apply to a case.
-fn closed_forms(outlook: &Outlook, (case, line): (&Case, &CaseLine)) -> Vec<Figures> {
+fn closed_forms(outlook: &Outlook, case: &Case, line: &CaseLine) -> Vec<Figures> {
     let recommended = outlook.best().map(|model| model.name);
     let groups = &outlook.forecast.groups;
     let radius = rolling_radius(case);
@@ -155,7 +155,7 @@ fn closed_forms(outlook: &Outlook, (case, line): (&Case, &CaseLine)) -> Vec<Figu
 }
 
 /// Runs the solver: a new run, or one that goes on from its checkpoint.
-fn solved(shared: &Shared, line: &CaseLine, (base, mut case): (&BaseCase, Case)) -> Result<Outcome, Unended> {
+fn solved(shared: &Shared, line: &CaseLine, base: &BaseCase, mut case: Case) -> Result<Outcome, Unended> {
     case.numerics.threads = shared.threads;
     let wrong = |error: CaseError| Unended::Other(reason(&error));
     let typed = case::overridden(&base.text, &base.path, &line.set).map_err(wrong)?;

@@ -45,7 +45,7 @@ pub(super) fn figures(store: &Store, study: &Study, table: &Table) -> FigureSet 
                 let figure = finished(told.figure, study, wish);
                 let files = figure_files(&figure);
                 let part = part.filter(|part| !part.name.is_empty());
-                let part = part.map(|part| format!("Part {}. ", part.name)).unwrap_or_default();
+                let part = part.map(|part| format!("Part {}: ", part.name)).unwrap_or_default();
                 let chart = NamedChart {
                     name: figure.name.clone(),
                     title: told.caption.clone(),

@@ -101,7 +101,7 @@ fn lacking(collected: &Collected) -> Table {
 /// What the study says: each part for itself, since each has a design of its own.
 fn analysis(study: &Study, table: &Table) -> Analysis {
     let mut all = Analysis::default();
-    for part in study.evaluated_parts() {
+    for part in study.evaluated_parts().filter(|part| !part.factors.is_empty()) {
         let is_asked = |chart: &&ChartWish| match &chart.part {
             Some(name) => *name == part.name,
             None => study.parts.len() == 1,
@@ -117,6 +117,24 @@ fn analysis(study: &Study, table: &Table) -> Analysis {
         add(&mut all, analyse(&of_part(table, part), &request), part, has_charts);
     }
     all
+}
+
+/// Remarks, `drag (solver): there is no tornado`, of which those that say the same of several stand once.
+fn grouped(remarks: Vec<String>) -> Vec<String> {
+    let mut found: Vec<(String, Vec<String>)> = Vec::new();
+    for remark in remarks {
+        let (of, what) = remark.split_once(": ").map_or(("", remark.as_str()), |(of, what)| (of, what));
+        match found.iter_mut().find(|(known, _)| known == what) {
+            Some((_, all)) => all.push(of.to_owned()),
+            None => found.push((what.to_owned(), vec![of.to_owned()])),
+        }
+    }
+    let text = |(what, of): (String, Vec<String>)| match of.as_slice() {
+        [one] if one.is_empty() => what,
+        [one] => format!("{one}: {what}"),
+        several => format!("{} and {} more: {what}", several[0], several.len() - 1),
+    };
+    found.into_iter().map(text).collect()
 }
 
 /// Adds the analysis of a part, named after it in a study of parts; without charts where the file asks for
@@ -138,6 +156,17 @@ fn add(all: &mut Analysis, found: Analysis, part: &Part, has_charts: bool) {
         table.name = format!("tables/{}", table.name);
         all.tables.push(table);
     }
-    let told = found.remarks.into_iter();
+    let told = grouped(found.remarks).into_iter();
     all.remarks.extend(told.map(|text| if is_named { format!("Part {}: {text}", part.name) } else { text }));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_said_of_several_stands_once() {
+        let remarks = ["drag: no", "sinkage: no", "alone", "slip: other", "lift: no"].map(str::to_owned);
+        assert_eq!(grouped(remarks.to_vec()), ["drag and 2 more: no", "alone", "slip: other"]);
+    }
 }
