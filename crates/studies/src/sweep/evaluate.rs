@@ -9,7 +9,7 @@ use super::store::{Store, StudyError};
 use crate::responses::{self, Figures, GROUPS};
 use crate::study::{BaseCase, ModelKind};
 use coulter::case::{self, Case, CaseError};
-use coulter::confidence::variations::{Asked, variations};
+use coulter::confidence::variations::{Asked, MESHES, variations};
 use coulter::forecast::{self, Effort, Outlook};
 use coulter::history::BodySample;
 use coulter::history::quantities::{Quantity, Steady};
@@ -159,6 +159,10 @@ fn solved(shared: &Shared, line: &CaseLine, base: &BaseCase, mut case: Case) -> 
     case.numerics.threads = shared.threads;
     let wrong = |error: CaseError| Unended::Other(reason(&error));
     let typed = case::overridden(&base.text, &base.path, &line.set).map_err(wrong)?;
+    // The list of cases may come from anybody.
+    if let Some(meshes) = line.meshes.filter(|meshes| !MESHES.contains(meshes)) {
+        return Err(Unended::Other(format!("{meshes} meshes: two to six are possible")));
+    }
     let asked = line.meshes.map(Asked::meshes_alone);
     let plan = asked.map(|asked| variations(&case, &typed, &base.path, &asked).map_err(wrong)).transpose()?;
     let folder = shared.store.run_folder(&line.id)?;
