@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the table of docs/paper.md from the table of the study cases/studies/paper.toml.
 
-    page.py FOLDER      takes table.csv of the folder of the study, and writes docs/data/paper.csv and the page
+    page.py FOLDER      takes table.csv and figures of the folder of the study, and writes docs/data/paper.csv, docs/images/paper and the page
     page.py [--check]   from docs/data/paper.csv; with --check nothing is written, and the page must be that of the data
 
 A point of both models agrees where the closed form lies in the interval of the solver, or the solver in that of the closed form (5 to
@@ -9,6 +9,9 @@ A point of both models agrees where the closed form lies in the interval of the 
 """
 
 import csv
+import math
+import re
+import shutil
 import statistics
 import sys
 from pathlib import Path
@@ -145,18 +148,26 @@ def counts(points):
     return lines, ", ".join(f"{count} {grade}" for grade, count in sorted(grades.items()))
 
 
+def of_contact(row):
+    """The angle of the resultant over that of the contact on level ground."""
+    return math.atan2(number(row, "drag"), number(row, "vertical")) / math.acos(1 - 2 * number(row, "Z"))
+
+
 def slope(points):
     """How near the drag of a free disc over its weight comes to √(Z/(1 − Z)), in a sentence."""
     free = [pair.solver for pair in points if pair.part not in (*HELD, "wing") and pair.solver["state"] == "done"]
+    closed = [pair.closed for pair in points if pair.solver in free and pair.closed and pair.closed.get("F_H_bar")]
     errors = []
     for row in free:
         z = number(row, "Z")
         errors.append(number(row, "drag") / number(row, "vertical") / (z / (1 - z)) ** 0.5 - 1)
     errors.sort()
+    angles = {model: statistics.median(map(of_contact, rows)) for model, rows in (("solver", free), ("closed", closed))}
     near = sum(abs(error) <= 0.2 for error in errors)
     return (
         f"Of the {len(errors)} free discs of the solver {near} have a drag over weight within 20 % of √(Z/(1 − Z)); the median is "
-        f"{round(100 * statistics.median(errors))} %, the ends are {100 * errors[0]:+.0f} and {100 * errors[-1]:+.0f} %."
+        f"{round(100 * statistics.median(errors))} %, the ends are {100 * errors[0]:+.0f} and {100 * errors[-1]:+.0f} %. "
+        f"The resultant stands at a median of {angles['solver']:.2f} of the contact angle of level ground, by the closed form at {angles['closed']:.2f}."
     ).replace("-", "−")
 
 
@@ -181,6 +192,8 @@ def main():
             writer = csv.DictWriter(file, KEPT, lineterminator="\n")
             writer.writeheader()
             writer.writerows({name: short(value, 5) for name, value in row.items()} for row in rows)
+        for name in re.findall(r"images/paper/(\w+\.svg)", PAGE.read_text(encoding="utf-8")):
+            shutil.copy(Path(folders[0]) / "figures" / name, PAGE.parent / "images" / "paper" / name)
     wanted = page(read(DATA))
     if check and wanted != PAGE.read_text(encoding="utf-8"):
         sys.exit(f"{PAGE.relative_to(ROOT)} is not that of {DATA.relative_to(ROOT)}: run scripts/paper/page.py")

@@ -1,6 +1,6 @@
-//! Estimates the run time of a case on this machine, from trial steps on a small region of it.
+//! Estimates the run time of a case on this machine, from trial steps of it, or of a region of a large one.
 
-use coulter::case::estimate::{Cost, Estimate, estimate, most_contact_points};
+use coulter::case::estimate::{Cost, Estimate, most_contact_points};
 use coulter::case::resolved::{Case, Ground, Precision};
 use coulter::simulation::Simulation;
 use glam::DVec3;
@@ -26,18 +26,17 @@ const EFFICIENCY: f64 = 0.9;
 const WRITING: [f64; 2] = [0.6, 1.3e-6];
 
 /// Wall-clock time of a run of the case on this machine [s]; `None` if the first step fails.
-pub(super) fn run_time(case: &Case, cost: &Cost) -> Option<f64> {
+pub(super) fn estimate(case: &Case, cost: &Cost) -> Option<f64> {
     let Estimate { cells, filled_cells, steps, .. } = cost.estimate;
     let writing = WRITING[0] + WRITING[1] * cells * cost.output.frames;
     // Where there is next to no soil there is nothing to measure.
-    let rate = measured(case).filter(|rate| *rate > 0.0)?;
+    let rate = measured(case, cells).filter(|rate| *rate > 0.0)?;
     Some(writing + steps * filled_cells * LATER_STEPS / rate).filter(|seconds| seconds.is_finite())
 }
 
 /// Cell-steps per second over the cells with soil, from the first steps of the case or of a region of it.
-fn measured(case: &Case) -> Option<f64> {
-    let is_small = estimate(case).cells <= MOST_CELLS;
-    let mut region = if is_small { case.clone() } else { around_the_first_body(case) };
+fn measured(case: &Case, cells: f64) -> Option<f64> {
+    let mut region = if cells <= MOST_CELLS { case.clone() } else { around_the_first_body(case) };
     // Points are laid out on the whole body, however small the region: of a large one fewer.
     let points = most_contact_points(&region).map_or(0.0, |(_, points)| points);
     region.numerics.point_spacing *= (points / MOST_POINTS).sqrt().max(1.0);

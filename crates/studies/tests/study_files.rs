@@ -86,6 +86,7 @@ fn version(text: &str, quick: bool) -> Result<Study, CaseError> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("disc.toml"), CASE).unwrap();
     std::fs::write(folder.path().join("sand.toml"), SAND).unwrap();
+    std::fs::write(folder.path().join("wheel.toml"), SAND.replace("body.disc", "body.wheel")).unwrap();
     let path = folder.path().join("study.toml");
     std::fs::write(&path, text).unwrap();
     read(&path, quick)
@@ -149,6 +150,30 @@ fn parts_vary_cases_of_their_own_and_a_quick_version_less() {
     assert!(full[..6].iter().zip(&without).all(|(a, b)| a.id != b.id && b.meshes.is_none()));
     assert!(full[6..].iter().zip(&without[6..]).all(|(a, b)| a.id == b.id));
     assert_eq!(full[0].meshes, Some(3));
+}
+
+#[test]
+fn a_study_without_a_quick_version_says_so() {
+    let error = version(STUDY, true).unwrap_err();
+    assert!(error.problems[0].message.contains("no quick version"), "{:?}", error.problems);
+    let none = version(
+        &VERSIONS
+            .replace("factors = []", "factors = []\nquick = false")
+            .replace("intervals = true", "quick = false"),
+        true,
+    );
+    assert!(none.unwrap_err().problems[0].message.contains("no quick version"));
+}
+
+#[test]
+fn a_key_is_looked_for_in_every_case_that_it_varies() {
+    let other = VERSIONS.replace(
+        "case = \"sand.toml\"\nfactors = [\"weight\"]",
+        "case = \"wheel.toml\"\nfactors = [\"weight\"]",
+    );
+    let error = version(&other, false).unwrap_err();
+    let problem = &error.problems[0];
+    assert!(problem.message.contains("no section [body.disc]"), "{problem:?}");
 }
 
 #[test]

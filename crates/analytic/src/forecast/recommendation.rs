@@ -310,7 +310,7 @@ fn warnings(towing: &Towing, has_other: bool) -> Vec<String> {
         warnings.push("The bow wave is a hypothesis that has not been validated.".into());
     }
     if towing.assembly.is_some_and(|assembly| assembly.count > 1) {
-        let rule = "Several discs share soil where the wedges that fail beside them overlap (docs/models/disc-assembly.md).";
+        let rule = "The group rule for several discs, an overlap of the wedges beside them, has not been compared with measurements.";
         warnings.push(rule.into());
     }
     warnings

@@ -49,7 +49,7 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     let overrides = crate::common::overrides(&arguments.overrides, arguments.accept_drained);
     let case = case::load(&arguments.case, &overrides)?;
     let cost = estimate::cost(&case);
-    let seconds = run_time::run_time(&case, &cost);
+    let seconds = run_time::estimate(&case, &cost);
     let variations = match crate::common::asked(arguments.meshes, arguments.confidence, &[]) {
         Some(asked) => Some(variation_costs(&arguments.case, &overrides, &case, seconds, &asked)?),
         None => None,

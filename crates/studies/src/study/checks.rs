@@ -7,6 +7,7 @@ use super::{ChartWish, Design, Level, ModelKind, Part, Study, keys};
 use crate::{history_columns, responses};
 use coulter::case::form::{Entry, Form, Problems, Value, find, join, nearest};
 use coulter::case::keys::NAMED;
+use std::collections::BTreeSet;
 
 /// Reports what is wrong with a study as a whole.
 pub(super) fn check(form: &Form, study: &Study, problems: &mut Problems) {
@@ -22,7 +23,11 @@ pub(super) fn check(form: &Form, study: &Study, problems: &mut Problems) {
     for (n, factor) in study.factors.iter().enumerate() {
         let path = join("factor", &factor.name);
         match &factor.key {
-            Some(key) => has_section(key, &join(&path, "key"), varied_by(study, n, &trees), problems),
+            Some(key) => {
+                for case in cases_of(study, n) {
+                    has_section(key, &join(&path, "key"), &trees[case], problems);
+                }
+            }
             None if study.parts.iter().all(|part| !part.uses(&factor.name)) => problems.add_to_name(
                 path,
                 format!("`{}` has no key, and no formula uses it", factor.name),
@@ -42,10 +47,11 @@ pub(super) fn check(form: &Form, study: &Study, problems: &mut Problems) {
     charts(study, problems);
 }
 
-/// The entries of the case in which a factor is varied first; of one that no part varies, those of the first.
-fn varied_by<'a>(study: &Study, factor: usize, trees: &'a [Vec<Entry>]) -> &'a [Entry] {
-    let part = study.parts.iter().find(|part| part.factors.contains(&factor));
-    &trees[part.map_or(0, |part| part.case)]
+/// The cases in which a factor is varied, each once; of one that no part varies, the first.
+fn cases_of(study: &Study, factor: usize) -> BTreeSet<usize> {
+    let parts = study.parts.iter().filter(|part| part.factors.contains(&factor));
+    let found: BTreeSet<usize> = parts.map(|part| part.case).collect();
+    if found.is_empty() { BTreeSet::from([0]) } else { found }
 }
 
 /// Reports a key of a named section that the case does not have.

@@ -65,6 +65,10 @@ fn read_with(
     let pool = pool(&form, &mut problems);
     let mut paths = PathsOfCases::of(&top);
     let parts = parts(&form, &names, &mut paths, &mut problems);
+    if is_quick && (!describes_quick(&form) || parts.iter().all(|part| !part.in_quick)) {
+        let cure = "give a factor quick = [\"30 deg\"], or a part quick = false; or leave out --quick";
+        problems.add("", "the study has no quick version", cure);
+    }
     if !problems.is_empty() {
         return Err(form.error(problems));
     }
@@ -87,6 +91,13 @@ fn read_with(
     };
     super::checks::check(&form, &study, &mut problems);
     if problems.is_empty() { Ok(study) } else { Err(form.error(problems)) }
+}
+
+/// Whether a factor or a part says what differs in the quick version.
+fn describes_quick(form: &Form) -> bool {
+    let sections = |kind: &str| named(form, kind, &mut Problems::default());
+    let all = sections("factor").into_iter().chain(sections("part"));
+    all.into_iter().any(|(_, entries)| find(&entries, "quick").is_some())
 }
 
 /// The files of the cases as typed, each once, with the place of the key that names it first.

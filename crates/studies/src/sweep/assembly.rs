@@ -4,7 +4,7 @@ use crate::responses::{Figures, GROUPS, responses};
 use coulter::history::reference::Reference;
 
 /// Name of the body in the row of all bodies together.
-pub(crate) const ALL_BODIES: &str = "all bodies";
+pub(super) const ALL_BODIES: &str = "all bodies";
 
 /// All bodies together: sums of forces and of the ends of their intervals, over the sum of their reference
 /// forces γ t d²; of everything else the mean. What a body lacks the whole lacks.

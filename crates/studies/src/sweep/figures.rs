@@ -1,5 +1,6 @@
 //! The figures for print that a study file asks for, and their files.
 
+use super::assembly::ALL_BODIES;
 use super::id::CaseId;
 use super::part_rows::of_part;
 use super::store::{Store, StudyError};
@@ -138,7 +139,7 @@ fn history(
         let Some(id) = word("id").filter(|id| is_run && seen.insert(id.clone())) else { continue };
         let points = CaseId::try_from(id.clone())
             .and_then(|id| store.run_folder(&id).map_err(|error| error.to_string()))
-            .and_then(|folder| read_samples(&folder, word("body").as_deref()))
+            .and_then(|folder| read_samples(&folder, one_body(word("body")).as_deref()))
             .map(|samples| along(&samples, columns));
         match points {
             Ok(points) => {
@@ -158,6 +159,11 @@ fn history(
         },
     );
     history_figure(&wish.name, [x, y], &curves)
+}
+
+/// The body whose history is shown: of all bodies together, which have none, the first.
+fn one_body(named: Option<String>) -> Option<String> {
+    named.filter(|name| name != ALL_BODIES)
 }
 
 /// The values of a history along two columns.
