@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the pictures of docs/cases.md from the results of the shipped cases.
+"""Draws the pictures of docs/reference/cases.md from the results of the shipped cases.
 
     pictures.py RESULTS [CASE]... [-o DIR]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/measured.md and its picture from validation/measured and the registered predictions.
+"""Writes docs/reference/measured.md and its picture from validation/measured and the registered predictions.
 
     page.py [--check]
 
@@ -15,7 +15,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs" / "measured.md"
+PAGE = ROOT / "docs" / "reference" / "measured.md"
 PICTURE = ROOT / "docs" / "images" / "measured.svg"
 # Colours of Okabe and Ito (2008), and marks that survive without them.
 STYLE = {
@@ -121,7 +121,7 @@ def sentence(table):
     solver = [models["solver"] for models in table.given.values() if "solver" in models]
     sources = {table.source(entry["row"]) for entry in solver}
     middle = statistics.median(abs(error(entry)) for entry in solver)
-    return f"beside {len(solver)} measured figures of {len(sources)} sources the median error is {per_cent(middle)}, and {sum(map(beyond, solver))} are off by more than a factor of 1.6 ([measurements](docs/measured.md))"
+    return f"beside {len(solver)} measured figures of {len(sources)} sources the median error is {per_cent(middle)}, and {sum(map(beyond, solver))} are off by more than a factor of 1.6 ([measurements](docs/reference/measured.md))"
 
 
 def given_rows(table):
@@ -156,12 +156,12 @@ def page(table):
         "Made by `scripts/measured/page.py`; do not edit.",
         "",
         f"{figures} measured figures of {sources} sources, of wheels, plates, footings, blades, spheres and walls, beside what Coulter computes. The soil of D6 is fitted to a plate in the same bed; of",
-        "M1, M3, M4, M6 and the plates of M7 one or two numbers that the set leaves open were decided by the given rows themselves (round 2), so that their given rows are no test; of the others nothing is fitted: [the page of the sets](../validation/measured/README.md) says what was chosen and why, and has the rule of the intervals.",
+        "M1, M3, M4, M6 and the plates of M7 one or two numbers that the set leaves open were decided by the given rows themselves (round 2), so that their given rows are no test; of the others nothing is fitted: [the page of the sets](../../validation/measured/README.md) says what was chosen and why, and has the rule of the intervals.",
         f"Computed by `scripts/measured/run.py` (round {rounds} of the law of sand; M2, M7's wheel, M8 and M10, which are of other soils, are of round 1). An error is relative to what was measured, of drags and pulls that may vanish to a tenth of the load where that is larger; beyond a factor of 1.6 is there an error beyond 60 %.",
         "",
         *scores,
         "",
-        "![Computed over measured figures by kind of body; predictions of rows whose measured figures are kept from the project, with their 90 % intervals](images/measured.svg)",
+        "![Computed over measured figures by kind of body; predictions of rows whose measured figures are kept from the project, with their 90 % intervals](../images/measured.svg)",
         "",
         "## Measured and computed",
         "",
@@ -169,7 +169,7 @@ def page(table):
         "",
         "## Predicted",
         "",
-        f"{len(table.blind)} figures that were measured, too, but which the project has not seen: they are for others to score. Registered in [predictions.toml](../validation/blind/predictions.toml) with the command of each.",
+        f"{len(table.blind)} figures that were measured, too, but which the project has not seen: they are for others to score. Registered in [predictions.toml](../../validation/blind/predictions.toml) with the command of each.",
         "",
         *blind_rows(table),
         "",

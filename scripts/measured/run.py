@@ -8,7 +8,7 @@ ROW is a name of validation/measured/rows.toml or a pattern such as 'M2*'; witho
 ratios are formed, and the given rows of the same set, which widen the intervals) are run with them. Every row is run by the solver on one
 thread and, where one applies, evaluated by the closed form. Runs that are finished in OUT are read, not repeated, and those that were
 stopped go on; use another OUT, or another --round, after the program has changed. Predictions are written to validation/blind/predictions.toml,
-what was computed of given rows to validation/measured/computed.toml; page.py draws docs/measured.md from both.
+what was computed of given rows to validation/measured/computed.toml; page.py draws docs/reference/measured.md from both.
 
 Python 3.11 or newer, standard library only.
 """

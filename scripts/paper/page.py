@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the table of docs/paper.md from the table of the study cases/studies/paper.toml.
+"""Writes the table of docs/studies/paper.md from the table of the study cases/studies/paper.toml.
 
     page.py FOLDER      takes table.csv and figures of the folder of the study, and writes docs/data/paper.csv, docs/images/paper and the page
     page.py [--check]   from docs/data/paper.csv; with --check nothing is written, and the page must be that of the data
@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs" / "paper.md"
+PAGE = ROOT / "docs" / "studies" / "paper.md"
 DATA = ROOT / "docs" / "data" / "paper.csv"
 BEGIN, END = "<!-- Below: scripts/paper/page.py -->", "<!-- Above: scripts/paper/page.py -->"
 # What of the table of the study is kept.
@@ -193,7 +193,7 @@ def main():
             writer.writeheader()
             writer.writerows({name: short(value, 5) for name, value in row.items()} for row in rows)
         for name in re.findall(r"images/paper/(\w+\.svg)", PAGE.read_text(encoding="utf-8")):
-            shutil.copy(Path(folders[0]) / "figures" / name, PAGE.parent / "images" / "paper" / name)
+            shutil.copy(Path(folders[0]) / "figures" / name, PAGE.parents[1] / "images" / "paper" / name)
     wanted = page(read(DATA))
     if check and wanted != PAGE.read_text(encoding="utf-8"):
         sys.exit(f"{PAGE.relative_to(ROOT)} is not that of {DATA.relative_to(ROOT)}: run scripts/paper/page.py")

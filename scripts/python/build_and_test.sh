@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the wheel and tests it in a clean virtual environment: types, tests, notebooks, and the first ten lines of docs/python.md.
+# Builds the wheel and tests it in a clean virtual environment: types, tests, notebooks, and the first ten lines of docs/how-to/python.md.
 #
 #   scripts/python/build_and_test.sh [--keep DIR]
 #
@@ -38,9 +38,9 @@ part "first plot"
 wheel="$(ls "$scratch"/wheels/*.whl)"
 # From `pip install` to a plot, in the ten lines of the documentation.
 mkdir "$scratch/first"
-sed -n '/^```python/,/^```/p' docs/python.md | sed '1d; /^```/,$d' >"$scratch/first/first.py"
+sed -n '/^```python/,/^```/p' docs/how-to/python.md | sed '1d; /^```/,$d' >"$scratch/first/first.py"
 lines="$(grep -c . "$scratch/first/first.py")"
-[ "$lines" -le 10 ] || { echo "python: the first example of docs/python.md has $lines lines" >&2; exit 1; }
+[ "$lines" -le 10 ] || { echo "python: the first example of docs/how-to/python.md has $lines lines" >&2; exit 1; }
 began="$EPOCHREALTIME"
 "$scratch/user/bin/pip" install --quiet "$wheel[matplotlib]"
 (cd "$scratch/first" && MPLBACKEND=agg "$scratch/user/bin/python" first.py)

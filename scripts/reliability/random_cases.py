@@ -6,7 +6,7 @@ them resolved as a careful user would. Bodies are discs, blocks, cylinders, sphe
 in STL files beside the case, text or binary), towed, pressed, loaded or dropped, in one go or in stages, some by a joint
 to a frame or to a second body; the ground is of every law, some of it in layers, on a slope or furrowed.
 
-None may panic, hang or end otherwise than docs/reliability.md says. For every run that is graded good this script looks
+None may panic, hang or end otherwise than docs/reference/reliability.md says. For every run that is graded good this script looks
 for itself, in the CSV files, at motion, energy balance and leak. The first graded good are run again on cells of two
 thirds the size: the drag of a towed body, the sinkage of a loaded or dropped one, the vertical force of any other, must be within
 25 % in nine of ten. With --changes all good and doubtful ones are, and a table says by how much their answers move, over the least

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures how fast the solver is on this machine, and renews the table of docs/performance.md.
+"""Measures how fast the solver is on this machine, and renews the table of docs/reference/performance.md.
 
 baseline.py COULTER NAME    NAME of the machine, such as "Zen 5, 2 cores"; its rows of baseline.csv are replaced
 baseline.py --check         whether the table is that of baseline.csv; runs nothing
@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-TABLE, PAGE = HERE / "baseline.csv", HERE.parents[1] / "docs" / "performance.md"
+TABLE, PAGE = HERE / "baseline.csv", HERE.parents[1] / "docs" / "reference" / "performance.md"
 BEGIN, END = "<!-- made by scripts/speed/baseline.py -->\n", "<!-- end -->\n"
 RUNS = 3
 COMMANDS = [
@@ -82,7 +82,7 @@ def main():
     rows = list(csv.DictReader(TABLE.open())) if TABLE.exists() else []
     if sys.argv[1:] == ["--check"]:
         if page_with(rows) != PAGE.read_text():
-            sys.exit("docs/performance.md does not show scripts/speed/baseline.csv: run baseline.py")
+            sys.exit("docs/reference/performance.md does not show scripts/speed/baseline.csv: run baseline.py")
         return
     if len(sys.argv) != 3 or not os.access(sys.argv[1], os.X_OK):
         sys.exit(__doc__.strip())

@@ -1,4 +1,4 @@
-//! The tables of docs/case-file.md, generated from the tables of keys.
+//! The tables of docs/reference/case-file.md, generated from the tables of keys.
 
 use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
 use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, NAMED, PLACE_KEYS, UNTIL, words};
@@ -139,9 +139,9 @@ mod tests {
     fn documentation_is_up_to_date() {
         const MARK: &str =
             "<!-- Below: from the table of keys, written by a test with COULTER_UPDATE=1. -->\n";
-        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/case-file.md");
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/case-file.md");
         let shipped = std::fs::read_to_string(path).unwrap();
         let (by_hand, _) = shipped.split_once(MARK).expect("the mark is gone");
-        same("docs/case-file.md", &format!("{by_hand}{MARK}\n{}", super::tables()));
+        same("docs/reference/case-file.md", &format!("{by_hand}{MARK}\n{}", super::tables()));
     }
 }

@@ -48,7 +48,7 @@ impl Form {
 pub fn accepts(path: &str, node: &Value) -> Result<(), [String; 2]> {
     let Some(key) = keys::at(path) else {
         let section = path.rsplit_once('.').map_or("", |(section, _)| section);
-        let cure = "name a key of a case file, such as soil.friction_angle or body.disc.weight; docs/case-file.md lists them";
+        let cure = "name a key of a case file, such as soil.friction_angle or body.disc.weight; docs/reference/case-file.md lists them";
         let place =
             if section.is_empty() { "at the top of a case".to_owned() } else { format!("in [{section}]") };
         return Err([format!("there is no key `{path}` {place}"), cure.to_owned()]);

@@ -19,7 +19,7 @@ const MOST_POINTS: f64 = 2e5;
 /// Cost of later steps, when soil yields and is remapped, over that of the first ones; measured on the
 /// shipped cases.
 const LATER_STEPS: f64 = 1.5;
-/// Part of the time of several threads in which they compute (`docs/performance.md`: two are 1.7 to 1.9 times
+/// Part of the time of several threads in which they compute (`docs/reference/performance.md`: two are 1.7 to 1.9 times
 /// as fast as one).
 const EFFICIENCY: f64 = 0.9;
 /// Time for the report [s], and per cell of a field file [s]; measured.

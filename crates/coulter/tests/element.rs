@@ -136,7 +136,7 @@ fn sand_is_stiffer_in_unloading_denser_after_it_and_softens_no_more_than_that() 
     assert!(second / first > 10f64.sqrt() && second / first < 10.0, "{first}, {second}");
     assert!(value(&tests, 0, "unloading_modulus_Pa") > second);
     let k0 = value(&tests, 0, "k0_largest");
-    // Too low (docs/limits.md): Jaky (1944) has 0.47.
+    // Too low (docs/reference/limits.md): Jaky (1944) has 0.47.
     assert!((0.27..0.6).contains(&k0), "{k0}");
     assert!(value(&tests, 0, "strain_left") > 0.5 * value(&tests, 0, "strain_largest"));
 }

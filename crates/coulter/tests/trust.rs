@@ -435,7 +435,7 @@ fn too_few_samples_are_doubted_of_a_pressed_body_as_of_a_towed_one() {
 fn the_documented_limits_are_up_to_date() {
     const BEGIN: &str = "<!-- limits:begin (written by a test with COULTER_UPDATE=1) -->\n";
     const END: &str = "<!-- limits:end -->";
-    let path = format!("{}/../../docs/reliability.md", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../../docs/reference/reliability.md", env!("CARGO_MANIFEST_DIR"));
     let shipped = std::fs::read_to_string(&path).unwrap();
     let (before, rest) = shipped.split_once(BEGIN).expect("the mark is gone");
     let (_, after) = rest.split_once(END).expect("the mark is gone");

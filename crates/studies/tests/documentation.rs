@@ -23,8 +23,8 @@ fn shipped_schema_is_up_to_date() {
 
 #[test]
 fn documentation_is_up_to_date() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/sweep.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/study-file.md");
     let shipped = std::fs::read_to_string(path).unwrap();
     let (by_hand, _) = shipped.split_once(MARK).expect("the mark is gone");
-    same("docs/sweep.md", &format!("{by_hand}{MARK}\n{}", schema::tables()));
+    same("docs/reference/study-file.md", &format!("{by_hand}{MARK}\n{}", schema::tables()));
 }

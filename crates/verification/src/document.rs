@@ -1,5 +1,5 @@
 //! The tables in the documents: a few figures between two markers in README.md, all of them in
-//! docs/verification.md.
+//! docs/reference/verification.md.
 
 use crate::expected_failures::ExpectedFailure;
 use crate::findings::Findings;
@@ -119,7 +119,7 @@ fn summary_line(benchmark: &Benchmark, rows: &[&Row]) -> String {
     )
 }
 
-/// The text of docs/verification.md.
+/// The text of docs/reference/verification.md.
 #[must_use]
 pub fn page(findings: &Findings, expected: &[ExpectedFailure]) -> String {
     let mut text = String::from(
@@ -139,7 +139,7 @@ pub fn page(findings: &Findings, expected: &[ExpectedFailure]) -> String {
         let _ = writeln!(text, "## {} {}\n\n{}\n", benchmark.id, benchmark.title(), benchmark.about());
         if benchmark.has_page() {
             let folder = benchmark.folder;
-            let _ = writeln!(text, "More in [validation/{folder}](../validation/{folder}/README.md).\n");
+            let _ = writeln!(text, "More in [validation/{folder}](../../validation/{folder}/README.md).\n");
         }
         for picture in pictures(benchmark, findings) {
             let _ = writeln!(text, "![{}]({})\n", picture.what, picture.path);
@@ -217,9 +217,9 @@ fn reasons(rows: &[Row], expected: &[ExpectedFailure], text: &mut String) {
 /// When a file cannot be written.
 pub fn write(root: &Path, findings: &Findings, expected: &[ExpectedFailure]) -> std::io::Result<Vec<String>> {
     let mut written = Vec::new();
-    std::fs::create_dir_all(root.join("docs"))?;
-    std::fs::write(root.join("docs/verification.md"), page(findings, expected))?;
-    written.push("docs/verification.md".to_owned());
+    std::fs::create_dir_all(root.join("docs/reference"))?;
+    std::fs::write(root.join("docs/reference/verification.md"), page(findings, expected))?;
+    written.push("docs/reference/verification.md".to_owned());
     let folder = root.join("docs/images/verification");
     if folder.exists() {
         std::fs::remove_dir_all(&folder)?;
@@ -254,7 +254,7 @@ mod tests {
     #[test]
     fn every_headline_is_a_row_of_the_suite() {
         let page =
-            std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/verification.md"))
+            std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/reference/verification.md"))
                 .unwrap();
         for [id, case, quantity, _] in HEADLINES {
             assert!(page.contains(&format!("| {id} | {case} | {quantity} |")), "{id}, {case}, {quantity}");

@@ -44,7 +44,7 @@ pub fn closing(findings: &Findings) -> String {
     )
 }
 
-/// The section of docs/verification.md.
+/// The section of docs/reference/verification.md.
 #[must_use]
 pub fn section(findings: &Findings) -> String {
     let mut text = format!(

@@ -1,6 +1,6 @@
 //! E1 to E3: problems that other codes have been run on. Only the wall is judged, which has an exact
 //! solution: the codes differ among themselves by more than any tolerance. Their figures and run times are in
-//! `docs/performance.md`.
+//! `docs/reference/performance.md`.
 
 use crate::error::VerifyError;
 use crate::probe::mean;

@@ -45,7 +45,7 @@ const TURNED: &str = "No model is recommended. Only 3D-RFT applies, and for disc
     the drag and the vertical force of the solver, and three to ten times the lateral force (D8). Trust its trends, not its \
     values.";
 
-/// The models that may be recommended, the best first: by the scores of docs/forecast.md.
+/// The models that may be recommended, the best first: by the scores of docs/how-to/forecast.md.
 pub(super) fn order(towing: &Towing) -> &'static [Candidate] {
     match &towing.body {
         _ if towing.raised => &[Candidate::Uplift],

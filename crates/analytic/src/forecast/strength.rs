@@ -6,7 +6,7 @@ use crate::error::ModelResult;
 /// The friction angle of the plasticity models, which are for associated flow, in soil with ψ < φ.
 ///
 /// Neither is exact: the collapse load of such soil is not unique, and lies between the two. Which is nearer
-/// was scored, class of bodies by class, on measurements and on runs of the solver (docs/forecast.md).
+/// was scored, class of bodies by class, on measurements and on runs of the solver (docs/how-to/forecast.md).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Strength {
     /// φ itself: discs, wheels and footings, under which the soil is confined.

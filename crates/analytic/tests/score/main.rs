@@ -1,7 +1,7 @@
 //! Which of the full friction angle, Davis' angle and 3D-RFT to believe when: scores beside measurements and
 //! the solver.
 //!
-//! `scripts/forecast_score` prints the tables; they stand in docs/forecast.md, and this test fails where they
+//! `scripts/forecast_score` prints the tables; they stand in docs/how-to/forecast.md, and this test fails where they
 //! are not up to date (`COULTER_UPDATE=1` rewrites them). Parameters of the measured sand are fixed before
 //! any row of the wheel: γ as measured; φ in two ways, the angle of repose and the angle that fits the plate
 //! best; μ assumed.
@@ -256,7 +256,7 @@ fn the_scores_are_those_of_the_documentation() {
     );
     println!("{text}");
     assert!(4 * inside.min(at_repose) >= 3 * all, "{inside} and {at_repose} of {all}");
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/forecast.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/how-to/forecast.md");
     let page = std::fs::read_to_string(path).unwrap();
     let (before, rest) = page.split_once(BEGIN).unwrap();
     let (shown, after) = rest.split_once(END).unwrap();
@@ -267,7 +267,7 @@ fn the_scores_are_those_of_the_documentation() {
     }
 }
 
-/// The rule of docs/forecast.md: of the answers that reach over the whole class, the one with the smallest
+/// The rule of docs/how-to/forecast.md: of the answers that reach over the whole class, the one with the smallest
 /// median error is recommended.
 #[test]
 fn the_recommendation_follows_from_the_scores() {

@@ -12,7 +12,7 @@ const TIGHT_CELLS: f64 = 2.0;
 
 /// Below how many cells over width, contact chord or sinkage the drag, vertical force or sinkage of random
 /// cases changed by how much on cells two thirds as wide, in the median and in nine of ten:
-/// `scripts/reliability/random_cases.py --changes`, docs/reliability.md.
+/// `scripts/reliability/random_cases.py --changes`, docs/reference/reliability.md.
 const CHANGES: [(f64, [f64; 2]); 2] = [(TIGHT_CELLS, [0.18, 0.38]), (ENOUGH_CELLS, [0.08, 0.29])];
 
 /// How far the answer changes on finer cells, where there are so few.

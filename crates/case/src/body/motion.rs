@@ -42,7 +42,7 @@ pub(crate) const KEYS: &[Key] = &[
         "table",
         Kind::Text,
         CAUSE,
-        "Table, relative to the folder of the case file, of displacements or speeds over time (docs/tables.md); its header names them \
+        "Table, relative to the folder of the case file, of displacements or speeds over time (docs/reference/tables.md); its header names them \
          with their units: `time [s],displacement [mm]` or `time [s],speed [mm/s]`. Between its lines a displacement is a smooth curve \
          without overshoot, a speed is linear.",
     ),

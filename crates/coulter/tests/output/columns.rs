@@ -21,7 +21,7 @@ fn replaced(text: &str, file: &str, new: &str) -> String {
 
 #[test]
 fn columns_are_documented() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/results.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/reference/results.md");
     let shipped = std::fs::read_to_string(path).unwrap();
     let expected = replaced(&shipped, "forces.csv", &table(FORCES));
     let expected = replaced(&expected, "part_NAME.csv", &table(PARTS));
@@ -36,7 +36,7 @@ fn columns_are_documented() {
     if std::env::var_os("COULTER_UPDATE").is_some() {
         std::fs::write(path, &expected).unwrap();
     } else {
-        assert_eq!(shipped, expected, "docs/results.md: run the tests with COULTER_UPDATE=1");
+        assert_eq!(shipped, expected, "docs/reference/results.md: run the tests with COULTER_UPDATE=1");
     }
 }
 

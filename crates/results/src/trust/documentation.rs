@@ -1,4 +1,4 @@
-//! The table of limits as Markdown, for `docs/reliability.md`.
+//! The table of limits as Markdown, for `docs/reference/reliability.md`.
 
 use super::limits::ALL;
 use std::fmt::Write;
