@@ -117,11 +117,11 @@ def summary(table):
 
 
 def sentence(table):
-    """What README.md says of it."""
+    """What README.md says of it, after “Compared with”."""
     solver = [models["solver"] for models in table.given.values() if "solver" in models]
     sources = {table.source(entry["row"]) for entry in solver}
     middle = statistics.median(abs(error(entry)) for entry in solver)
-    return f"beside {len(solver)} measured figures of {len(sources)} sources the median error is {per_cent(middle)}, and {sum(map(beyond, solver))} are off by more than a factor of 1.6 ([measurements](docs/reference/measured.md))"
+    return f"{len(solver)} measured figures of {len(sources)} sources, the median error is {per_cent(middle)}, and {sum(map(beyond, solver))} are off by more than a factor of 1.6 ([measurements](docs/reference/measured.md))"
 
 
 def given_rows(table):

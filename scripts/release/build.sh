@@ -2,7 +2,9 @@
 # Builds a release into dist/ and tries what it has built:
 #
 #   coulter-VERSION-x86_64-unknown-linux-musl     the command as one static program, stripped
+#   coulter_VERSION_amd64.deb                     the same as a Debian package, with manual pages, completions and example cases
 #   coulter-VERSION-*.whl                         the Python package
+#   Containerfile                                 podman build -t coulter dist
 #   licences/                                     licences of everything that is linked into them
 #   man/, completions/                            manual pages; completions for five shells
 #   SHA256SUMS                                    of all of these
@@ -119,6 +121,35 @@ pages_and_completions() {
     [ -s "$dist/man/coulter.1" ] || fail "no manual page"
 }
 
+# The static program with manual pages, completions and cases where Debian looks for them; it needs no other package.
+debian_package() {
+    local root="$scratch/deb" shared="$scratch/deb/usr/share" package="$dist/coulter_${version}_amd64.deb"
+    install -Dm755 "$program" "$root/usr/bin/coulter"
+    install -Dm644 -t "$shared/man/man1" "$dist"/man/*.1
+    gzip -9n "$shared"/man/man1/*
+    install -Dm644 "$dist/completions/coulter.bash" "$shared/bash-completion/completions/coulter"
+    install -Dm644 "$dist/completions/coulter.zsh" "$shared/zsh/vendor-completions/_coulter"
+    install -Dm644 "$dist/completions/coulter.fish" "$shared/fish/vendor_completions.d/coulter.fish"
+    install -Dm644 -t "$shared/doc/coulter/examples" cases/*.toml cases/*.json cases/*.stl
+    cat LICENSE-MIT LICENSE-APACHE $([ -n "$check" ] || echo "$dist/licences/THIRD-PARTY.txt") >"$shared/doc/coulter/copyright"
+    mkdir "$root/DEBIAN"
+    cat >"$root/DEBIAN/control" <<CONTROL
+Package: coulter
+Version: $version
+Architecture: amd64
+Maintainer: The Coulter developers <coulter@invalid>
+Installed-Size: $(du -sk "$root/usr" | cut -f1)
+Section: science
+Priority: optional
+Description: Rigid bodies moving through soil
+ Explicit coupled Eulerian-Lagrangian solver and closed-form models of discs,
+ wheels, blades, pipes and footings in sand and clay: sinkage, forces, ruts.
+CONTROL
+    dpkg-deb --root-owner-group --build "$root" "$package" >/dev/null
+    dpkg-deb -x "$package" "$scratch/installed"
+    [ "$("$scratch/installed/usr/bin/coulter" --version)" = "coulter $version" ] || fail "the program of $package does not answer"
+}
+
 # The program is static, names no folder of this machine, and gives the numbers of the ordinary one.
 try_program() {
     file "$program" | grep -Eq "static(ally|-pie) linked" || fail "not static: $(file "$program")"
@@ -172,6 +203,11 @@ if [ -z "$check" ]; then
 fi
 part "manual pages and completions"
 pages_and_completions
+if command -v dpkg-deb >/dev/null; then
+    part "Debian package"
+    debian_package
+fi
+cp scripts/release/Containerfile "$dist"
 part "trial"
 try_program
 if [ -z "$check" ]; then

@@ -1,6 +1,6 @@
 //! The tables of docs/reference/case-file.md, generated from the tables of keys.
 
-use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
+use super::format::FORMAT;
 use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, NAMED, PLACE_KEYS, UNTIL, words};
 use std::fmt::Write;
 
@@ -26,7 +26,6 @@ pub fn tables() -> String {
     rows(&FOLLOW, &mut text);
     let _ = write!(text, "### `stage.NAME.until`\n{}\n\n{HEADER}", UNTIL.meaning);
     rows(&UNTIL, &mut text);
-    text.push_str(&renamed());
     text
 }
 
@@ -60,22 +59,6 @@ fn rows(section: &KeyTable, text: &mut String) {
         let _ = writeln!(text, "| `{}` | {value}{range} | {default} | {} |", key.name, key.meaning);
     }
     text.push('\n');
-}
-
-/// The names that have changed since the previous format.
-fn renamed() -> String {
-    let mut text = format!(
-        "### Renamed in format {FORMAT}\nAn old name is refused with its new one.\n\n| format 1 | format 2 |\n|---|---|\n"
-    );
-    for r in RENAMED_KEYS {
-        let _ = writeln!(text, "| `{0}.{1}` | `{0}.{2}` |", r.section, r.old, r.new);
-    }
-    for r in RENAMED_VALUES {
-        let (section, key) = (if r.section == "body" { "body.NAME" } else { r.section }, r.key);
-        let _ = writeln!(text, "| `{section}.{key} = \"{}\"` | `{section}.{key} = \"{}\"` |", r.old, r.new);
-    }
-    text.push('\n');
-    text
 }
 
 fn kind(kind: &Kind) -> String {

@@ -121,16 +121,6 @@ fn section(entry: &Entry, kind: &str, path: &str, problems: &mut Problems) -> Se
         return read;
     };
     for inner in table {
-        if let Some(new) = format::new_key(path, &inner.key) {
-            let message = format!("`{path}.{}` is now called `{path}.{new}`", inner.key);
-            problems.add_to_name(
-                join(path, &inner.key),
-                message,
-                format!("write {new} instead of {}", inner.key),
-            );
-            read.insert(new, Given::Broken);
-            continue;
-        }
         match known.iter().find(|k| k.name == inner.key) {
             Some(key) => {
                 read.insert(key.name, value(&inner.value, &key.kind, &join(path, key.name), problems));

@@ -39,7 +39,7 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
         Kind::Count => count(node).map(Given::Number),
         Kind::Flag => flag(node).map(Given::Flag),
         Kind::Quantity(measure) => quantity(node, measure).map(Given::Number),
-        Kind::Choice(words) => current_word(node, path).and_then(|()| choice(node, words)).map(Given::Text),
+        Kind::Choice(words) => choice(node, words).map(Given::Text),
         Kind::Modulus(offset) => modulus(node, *offset).map(Given::Number),
         Kind::Friction => friction(node).map(Given::Number),
         Kind::RelativeDensity => relative_density(node).map(Given::Number),
@@ -161,15 +161,6 @@ fn choice(node: &Value, words: &[&str]) -> Read<String> {
     let hint =
         nearest(text, words.iter().copied()).map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
     complain(format!("\"{text}\" is not one of the possible words"), format!("{hint}possible: {all}"))
-}
-
-/// Refuses a word that has been replaced, with the one to write instead.
-fn current_word(node: &Value, path: &str) -> Read<()> {
-    let Value::Text(text) = node else { return Ok(()) };
-    match format::new_value(path, text) {
-        Some(new) => complain(format!("\"{text}\" is now called \"{new}\""), format!("write \"{new}\"")),
-        None => Ok(()),
-    }
 }
 
 fn friction(node: &Value) -> Read<f64> {

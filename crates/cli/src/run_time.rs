@@ -1,7 +1,10 @@
-//! Estimates the run time of a case on this machine, from trial steps of it, or of a region of a large one.
+//! Estimates the run time of a case on this machine, from trial steps of it, or of a region of a large one,
+//! in which the bodies move at full speed at the depth that they are expected to reach: contact, remap and
+//! yielding make steps up to five times as dear as the first ones of a run.
 
 use coulter::case::estimate::{Cost, Estimate, most_contact_points};
-use coulter::case::resolved::{Case, Ground, Precision};
+use coulter::case::path::travel;
+use coulter::case::resolved::{Case, Ground, Motion, Precision, expected_sinkage};
 use coulter::simulation::Simulation;
 use glam::DVec3;
 use std::time::Duration;
@@ -10,18 +13,21 @@ use std::time::Duration;
 const MOST_CELLS: f64 = 2e5;
 /// Cells along each axis of the trial region.
 const MAX_CELLS: usize = 40;
-/// Number and duration of the trials, of which the median counts; in processor time, so that other programs
-/// do not matter much.
+/// Time until bodies that start at full speed have set the soil in motion; number and duration of the trials
+/// after it, of which the median counts; in processor time, so that other programs do not matter much.
+const WARM_UP: Duration = Duration::from_millis(500);
 const TRIALS: usize = 9;
-const TRIAL_TIME: Duration = Duration::from_millis(50);
+const TRIAL_TIME: Duration = Duration::from_millis(100);
 /// Most contact points of the body in it; what they cost is little beside the soil.
 const MOST_POINTS: f64 = 2e5;
-/// Cost of later steps, when soil yields and is remapped, over that of the first ones; measured on the
-/// shipped cases.
-const LATER_STEPS: f64 = 1.5;
-/// Part of the time of several threads in which they compute (`docs/reference/performance.md`: two are 1.7 to 1.9 times
-/// as fast as one).
-const EFFICIENCY: f64 = 0.9;
+/// Sinkage in the trial of a free body that its weight does not press in, over its height (chosen).
+const SINKAGE: f64 = 0.1;
+/// Cost of later steps over that of the trial, and over that of the first steps where nothing moves or the
+/// trial breaks down; measured on the shipped cases (`scripts/speed/run_times.py`).
+const LATER_STEPS: [f64; 2] = [1.15, 1.5];
+/// Part of the time of several threads in which they compute: two were 1.5 times as fast as one where contact
+/// takes half of the time, and up to 1.9 times.
+const EFFICIENCY: f64 = 0.83;
 /// Time for the report [s], and per cell of a field file [s]; measured.
 const WRITING: [f64; 2] = [0.6, 1.3e-6];
 
@@ -29,25 +35,67 @@ const WRITING: [f64; 2] = [0.6, 1.3e-6];
 pub(super) fn estimate(case: &Case, cost: &Cost) -> Option<f64> {
     let Estimate { cells, filled_cells, steps, .. } = cost.estimate;
     let writing = WRITING[0] + WRITING[1] * cells * cost.output.frames;
-    // Where there is next to no soil there is nothing to measure.
-    let rate = measured(case, cells).filter(|rate| *rate > 0.0)?;
-    Some(writing + steps * filled_cells * LATER_STEPS / rate).filter(|seconds| seconds.is_finite())
+    let moving = in_motion(case).and_then(|case| measured(&case, cells)).map(|rate| (rate, LATER_STEPS[0]));
+    let (rate, later) = moving.or_else(|| measured(case, cells).map(|rate| (rate, LATER_STEPS[1])))?;
+    Some(writing + steps * filled_cells * later / rate).filter(|seconds| seconds.is_finite())
 }
 
-/// Cell-steps per second over the cells with soil, from the first steps of the case or of a region of it.
+/// The case with its bodies at full speed and as deep as they are expected to sink, or half as deep as they
+/// are moved; `None` without a body that could touch the soil.
+fn in_motion(case: &Case) -> Option<Case> {
+    case.touching().next()?;
+    let mut moving = Case { stages: Vec::new(), ..case.clone() };
+    let mut lowered: f64 = 0.0;
+    for body in &mut moving.bodies {
+        if let Some(staged) = body.staged.take() {
+            let [x, y, z, yaw, tilt, spin] = staged.motions;
+            (body.translation, body.rotation) = ([x, y, z], [yaw, tilt, spin]);
+        }
+        let heave = &body.translation[2];
+        let sunk = if heave.is_free() {
+            -expected_sinkage(case, body).unwrap_or(SINKAGE * body.size().z)
+        } else {
+            0.5 * travel(heave, case.duration)
+        };
+        lowered = lowered.min(sunk);
+        for motion in body.translation.iter_mut().chain(&mut body.rotation) {
+            *motion = at_full_speed(motion, case.duration);
+        }
+    }
+    // All alike, since joints may connect them.
+    moving.bodies.iter_mut().for_each(|body| body.position.z += lowered);
+    Some(moving)
+}
+
+/// A motion without its ramps.
+fn at_full_speed(motion: &Motion, duration: f64) -> Motion {
+    match motion {
+        Motion::Fixed => Motion::Fixed,
+        Motion::Prescribed { before, speed, .. } => {
+            Motion::prescribed(if speed.abs() > before.abs() { *speed } else { *before })
+        }
+        Motion::Course(course) => Motion::prescribed(course.displacement(duration) / duration),
+        Motion::Free { load, .. } => Motion::loaded(*load),
+    }
+}
+
+/// Cell-steps per second over the cells with soil, from the first steps of the case or of a region of it;
+/// `None` where they fail, and where there is hardly any soil.
 fn measured(case: &Case, cells: f64) -> Option<f64> {
     let mut region = if cells <= MOST_CELLS { case.clone() } else { around_the_first_body(case) };
     // Points are laid out on the whole body, however small the region: of a large one fewer.
     let points = most_contact_points(&region).map_or(0.0, |(_, points)| points);
     region.numerics.point_spacing *= (points / MOST_POINTS).sqrt().max(1.0);
-    match case.numerics.precision {
+    let rate = match case.numerics.precision {
         Precision::Double => typical_speed(Simulation::<f64>::new(&region)),
         Precision::Single => typical_speed(Simulation::<f32>::new(&region)),
-    }
+    };
+    rate.filter(|rate| *rate > 0.0)
 }
 
 /// Cell-steps per second of all threads together, on a machine that has nothing else to do.
 fn typical_speed<R: solver::precision::Precision>(mut simulation: Simulation<R>) -> Option<f64> {
+    simulation.speed(WARM_UP)?;
     let mut speeds: Vec<f64> = (0..TRIALS).filter_map(|_| simulation.speed(TRIAL_TIME)).collect();
     speeds.sort_by(f64::total_cmp);
     let median = speeds.get(speeds.len() / 2)?;
@@ -110,6 +158,19 @@ mod tests {
         assert!(region.domain.low.x < 0.0 && region.domain.high.x > 0.0);
         assert!(region.domain.low.y == 0.0, "the plane of symmetry stays");
         assert!(region.domain.low.z < 0.0 && region.domain.high.z > 0.0);
+    }
+
+    #[test]
+    fn the_bodies_of_the_trial_move_at_once() {
+        let text = include_str!("../../../cases/light_disc.toml");
+        let case = case::parse(text, "case.toml", &[]).unwrap();
+        let moving = in_motion(&case).unwrap();
+        let (before, now) = (&case.bodies[0], &moving.bodies[0]);
+        let sunk = before.position.z - now.position.z;
+        // Its runs sink by 13.6 mm.
+        assert!((0.005..0.03).contains(&sunk), "{sunk}");
+        assert_eq!(now.translation[0].speed(0.0), before.translation[0].speed(case.duration));
+        assert_eq!(now.translation[2].load(0.0), before.translation[2].load(case.duration));
     }
 
     #[test]

@@ -78,18 +78,8 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
         let rows: Vec<_> = findings.rows.iter().map(Row::json).collect();
         crate::common::say_json(&json!({ "format": formats::DOCUMENT, "rows": rows }))?;
     } else {
-        say(&format!(
-            "{}
-{}
-",
-            table::text(&findings.rows),
-            table::closing(&findings.rows)
-        ))?;
-        say(&format!(
-            "{}
-",
-            grades::closing(&findings)
-        ))?;
+        say(&format!("{}\n{}\n", table::text(&findings.rows), table::closing(&findings.rows)))?;
+        say(&format!("grades: {}\n", grades::closing(&findings)))?;
     }
     if arguments.write {
         let written = document::write(Path::new("."), &findings, &expected);

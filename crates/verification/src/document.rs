@@ -1,5 +1,5 @@
-//! The tables in the documents: a few figures between two markers in README.md, all of them in
-//! docs/reference/verification.md.
+//! The tables in the documents: a few figures between two markers in README.md, a line for each benchmark in
+//! docs/reference/verification.md, all of them in docs/data/verification.json.
 
 use crate::expected_failures::ExpectedFailure;
 use crate::findings::Findings;
@@ -9,7 +9,7 @@ use crate::plot;
 use crate::row::{Expected, Judgement, Row};
 use crate::run_balances::RunBalances;
 use crate::table;
-use std::fmt::Write;
+use serde_json::json;
 use std::path::Path;
 
 const BEGIN: &str = "<!-- verify:begin -->";
@@ -18,36 +18,21 @@ const END: &str = "<!-- verify:end -->";
 /// The figures that README.md shows, chosen for what readers know from textbooks: id, case, quantity, and
 /// what it is called there.
 const HEADLINES: [[&str; 4]; 6] = [
-    ["B2", "B/h = 32", "bearing capacity factor N_c", "rough strip footing on clay, N_c"],
-    [
-        "B8",
-        "rough cylinder, R/h = 8",
-        "resistance factor N",
-        "pipe moved through clay, deep, resistance factor",
-    ],
+    ["B2", "B/h = 32", "bearing capacity factor N_c", "strip footing on clay, N_c"],
+    ["W1", "25 cells, T = 0.6", "pore pressure at the base over the exact one", "consolidation"],
     [
         "B5",
         "φ = 35°, ψ = 35°, H/h = 16, pushed 0.3 H",
         "K_p, heave included",
-        "smooth wall, passive, K_p at φ = 35°",
+        "smooth passive wall, K_p at 35°",
     ],
-    [
-        "B6",
-        "φ = 35°, δ = 23.3°, ψ = 35°, H/h = 16",
-        "K_n = K_p cos δ",
-        "rough wall, passive, normal part of K_p at φ = 35°",
-    ],
+    ["B6", "φ = 35°, δ = 23.3°, ψ = 35°, H/h = 16", "K_n = K_p cos δ", "rough passive wall"],
+    ["B8", "rough cylinder, R/h = 8", "resistance factor N", "pipe deep in clay"],
     [
         "B4",
         "rough, φ = 35°, ψ = 35°, B/h = 16",
         "bearing capacity factor N_γ",
-        "rough strip footing on sand, N_γ at φ = 35°",
-    ],
-    [
-        "W1",
-        "25 cells, T = 0.6",
-        "pore pressure at the base over the exact one",
-        "consolidation, pore pressure over Terzaghi's",
+        "strip footing on sand, N_γ at 35°",
     ],
 ];
 
@@ -56,24 +41,23 @@ const HEADLINES: [[&str; 4]; 6] = [
 pub fn between_markers(text: &str, rows: &[Row]) -> Option<String> {
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{BEGIN}\n{}\n{}.\n{END}{after}", headlines(rows), table::closing(rows)))
+    Some(format!("{before}{BEGIN}\n{}\n{END}{after}", headlines(rows)))
 }
 
-/// The table of the headlines; those whose benchmark was not run are left out.
+/// A sentence on the headlines, without those whose benchmark was not run, and one on all rows.
 fn headlines(rows: &[Row]) -> String {
-    let mut text = String::from(
-        "| beside an exact solution | id | exact | Coulter | off by |\n| --- | --- | --: | --: | --: |\n",
-    );
-    for [id, case, quantity, name] in HEADLINES {
-        let found = rows.iter().find(|row| row.id == id && row.case == case && row.quantity == quantity);
-        let Some(row) = found else { continue };
-        let Expected::Value(exact) = row.expected else { continue };
+    let errors = HEADLINES.iter().filter_map(|[id, case, quantity, name]| {
+        let row = rows.iter().find(|row| row.id == *id && row.case == *case && row.quantity == *quantity)?;
+        let Expected::Value(exact) = row.expected else { return None };
         let mark = if row.judgement() == Judgement::Fails { "**" } else { "" };
-        let off = format!("{mark}{:+.1} %{mark}", 100.0 * (row.obtained / exact - 1.0)).replace('-', "−");
-        let (expected, obtained) = (table::expected(row), table::figure(row.obtained));
-        let _ = writeln!(text, "| {name} | {id} | {expected} | {obtained} | {off} |");
-    }
-    text
+        let off = format!("{:+.1} %", 100.0 * (row.obtained / exact - 1.0)).replace('-', "−");
+        Some(format!("{name} {mark}{off}{mark}"))
+    });
+    format!(
+        "Compared with exact solutions: {}. Of all rows [{}](docs/reference/verification.md).",
+        errors.collect::<Vec<_>>().join("; "),
+        table::closing(rows)
+    )
 }
 
 /// One line for every benchmark: how many of its figures pass, and the one that deviates most from what was
@@ -121,44 +105,69 @@ fn summary_line(benchmark: &Benchmark, rows: &[&Row]) -> String {
 
 /// The text of docs/reference/verification.md.
 #[must_use]
-pub fn page(findings: &Findings, expected: &[ExpectedFailure]) -> String {
-    let mut text = String::from(
+pub fn page(findings: &Findings) -> String {
+    format!(
         "# Verification\n\n\
-         Made by `coulter verify --write`; do not edit. Every figure is computed by this version of the solver. \
-         Expected values and tolerances are never changed to make a case pass: a case that fails stays here, marked \
-         as failing. A row that is compared with a published range without a tolerance says whether it lies inside or outside it; \
-         rows with – are for information. The error is a fraction of the expected value where the tolerance is one, otherwise in \
-         the unit of the quantity.\n\n",
-    );
-    let _ = writeln!(text, "{}.\n\n{}", table::closing(&findings.rows), summary(&findings.rows));
-    for benchmark in BENCHMARKS {
+         <!-- Made by `coulter verify --write`. -->\n\n\
+         How close the solver comes to exact solutions, published figures and its own symmetries. Expected values and tolerances \
+         are fixed before a run and never changed to make it pass; a figure that fails stays here. *Outside* counts figures that \
+         are compared with a published range and lie outside it.\n\n\
+         All {} figures, with case, expected value, tolerance, source, and the reason of each failure, are in \
+         [verification.json](../data/verification.json); the book shows them in a [table to search](../data/verification.html). \
+         `coulter verify ID` computes them anew.\n\n\
+         {}.\n\n{}\n## Grades\n\n\
+         Every run of the suite is [graded](reliability.md) as a run of yours is; {}.\n",
+        findings.rows.len(),
+        table::closing(&findings.rows),
+        summary(&findings.rows),
+        grades::closing(findings)
+    ) + &broken(findings)
+}
+
+fn broken(findings: &Findings) -> String {
+    findings.broken.iter().map(|(id, why)| format!("\n**{id} produced no figures: {why}**\n")).collect()
+}
+
+/// The figures as the document docs/data/verification.json, a row a line.
+#[must_use]
+pub fn data(findings: &Findings, expected: &[ExpectedFailure]) -> String {
+    let benchmarks = BENCHMARKS.iter().filter_map(|benchmark| {
         let rows: Vec<Row> = findings.rows.iter().filter(|row| row.id == benchmark.id).cloned().collect();
-        if rows.is_empty() {
-            continue;
-        }
-        let _ = writeln!(text, "## {} {}\n\n{}\n", benchmark.id, benchmark.title(), benchmark.about());
-        if benchmark.has_page() {
-            let folder = benchmark.folder;
-            let _ = writeln!(text, "More in [validation/{folder}](../../validation/{folder}/README.md).\n");
-        }
-        for picture in pictures(benchmark, findings) {
-            let _ = writeln!(text, "![{}]({})\n", picture.what, picture.path);
-        }
-        text.push_str(&table::markdown(&rows));
-        text.push('\n');
-        sources(&rows, &mut text);
-        reasons(&rows, expected, &mut text);
+        let head = json!({
+            "id": benchmark.id, "title": benchmark.title(), "about": benchmark.about(),
+            "page": benchmark.has_page().then(|| format!("validation/{}/README.md", benchmark.folder)),
+            "pictures": pictures(benchmark, findings).iter().map(|p| &p.path).collect::<Vec<_>>(),
+        });
+        (!rows.is_empty())
+            .then(|| with_list(&head, "rows", &table::as_data(&rows, |row| reason(row, expected))))
+    });
+    let benchmarks: Vec<String> = benchmarks.collect();
+    let runs: Vec<String> = grades::as_data(findings).iter().map(ToString::to_string).collect();
+    format!(
+        "{{\"heads\": {},\n\"benchmarks\": [\n{}\n],\n\"runs\": [\n{}\n]}}\n",
+        json!(table::DATA_HEADS),
+        benchmarks.join(",\n"),
+        runs.join(",\n")
+    )
+}
+
+/// An object with a list added to it, an entry a line.
+fn with_list(head: &serde_json::Value, name: &str, entries: &[serde_json::Value]) -> String {
+    let lines: Vec<String> = entries.iter().map(ToString::to_string).collect();
+    let head = head.to_string();
+    format!("{}, \"{name}\": [\n{}\n]}}", head.trim_end_matches('}'), lines.join(",\n"))
+}
+
+/// Why a row fails; empty for one that does not.
+fn reason<'a>(row: &Row, expected: &'a [ExpectedFailure]) -> &'a str {
+    if row.passes() != Some(false) {
+        return "";
     }
-    text.push_str(&grades::section(findings));
-    for (id, why) in &findings.broken {
-        let _ = writeln!(text, "**{id} produced no figures: {why}**\n");
-    }
-    text
+    expected.iter().find(|known| known.is_about(row)).map_or("not yet explained", |known| known.reason.trim())
 }
 
 /// A picture of a benchmark.
 struct Picture {
-    what: String,
     /// Path of the picture, relative to docs/.
     path: String,
     svg: String,
@@ -170,56 +179,28 @@ fn pictures(benchmark: &Benchmark, findings: &Findings) -> Vec<Picture> {
     let balances: Vec<&RunBalances> = findings.balances.iter().filter(|run| run.id == benchmark.id).collect();
     let name = format!("{} {}", benchmark.id, benchmark.title());
     let file = benchmark.id.replace('γ', "g");
-    let both = [
-        (plot::figures(&rows), "errors over tolerances", "figures"),
-        (plot::runs(&name, &balances), "what the runs did", "runs"),
-    ];
+    let both = [(plot::figures(&rows), "figures"), (plot::runs(&name, &balances), "runs")];
     both.into_iter()
-        .filter_map(|(svg, what, kind)| {
-            let path = format!("images/verification/{file}_{kind}.svg");
-            Some(Picture { what: format!("{name}: {what}"), path, svg: svg? })
+        .filter_map(|(svg, kind)| {
+            Some(Picture { path: format!("images/verification/{file}_{kind}.svg"), svg: svg? })
         })
         .collect()
 }
 
-fn sources(rows: &[Row], text: &mut String) {
-    let mut seen: Vec<&str> = Vec::new();
-    for row in rows.iter().filter(|row| !row.source.is_empty()) {
-        if !seen.contains(&row.source.as_ref()) {
-            seen.push(&row.source);
-        }
-    }
-    if !seen.is_empty() {
-        let _ = writeln!(text, "Sources: {}.\n", seen.join("; "));
-    }
-}
-
-fn reasons(rows: &[Row], expected: &[ExpectedFailure], text: &mut String) {
-    let mut failing: Vec<(&str, Vec<String>)> = Vec::new();
-    for row in rows.iter().filter(|row| row.passes() == Some(false)) {
-        let reason =
-            expected.iter().find(|k| k.is_about(row)).map_or("not yet explained", |k| k.reason.trim());
-        let name = format!("{}, {}", row.case, row.quantity);
-        match failing.iter_mut().find(|(other, _)| *other == reason) {
-            Some((_, names)) => names.push(name),
-            None => failing.push((reason, vec![name])),
-        }
-    }
-    for (reason, names) in failing {
-        let _ = writeln!(text, "* Fails ({}): {reason}", names.join("; "));
-    }
-    text.push('\n');
-}
-
-/// Writes both documents below `root`. Returns what was written.
+/// Writes the documents below `root`. Returns what was written.
 ///
 /// # Errors
 /// When a file cannot be written.
 pub fn write(root: &Path, findings: &Findings, expected: &[ExpectedFailure]) -> std::io::Result<Vec<String>> {
     let mut written = Vec::new();
-    std::fs::create_dir_all(root.join("docs/reference"))?;
-    std::fs::write(root.join("docs/reference/verification.md"), page(findings, expected))?;
-    written.push("docs/reference/verification.md".to_owned());
+    for (path, text) in [
+        ("docs/reference/verification.md", page(findings)),
+        ("docs/data/verification.json", data(findings, expected)),
+    ] {
+        std::fs::create_dir_all(root.join(path).parent().unwrap_or(root))?;
+        std::fs::write(root.join(path), text)?;
+        written.push(path.to_owned());
+    }
     let folder = root.join("docs/images/verification");
     if folder.exists() {
         std::fs::remove_dir_all(&folder)?;
@@ -253,11 +234,12 @@ mod tests {
 
     #[test]
     fn every_headline_is_a_row_of_the_suite() {
-        let page =
-            std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/reference/verification.md"))
-                .unwrap();
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/data/verification.json");
+        let data: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
         for [id, case, quantity, _] in HEADLINES {
-            assert!(page.contains(&format!("| {id} | {case} | {quantity} |")), "{id}, {case}, {quantity}");
+            let benchmark = data["benchmarks"].as_array().unwrap().iter().find(|b| b["id"] == id).unwrap();
+            let rows = benchmark["rows"].as_array().unwrap();
+            assert!(rows.iter().any(|row| row[0] == case && row[1] == quantity), "{id}, {case}, {quantity}");
         }
     }
 

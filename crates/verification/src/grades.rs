@@ -5,7 +5,6 @@ use crate::findings::Findings;
 use crate::row::{Judgement, Row};
 use crate::run_balances::RunBalances;
 use coulter::trust;
-use std::fmt::Write;
 
 /// Whether all judged rows that depend on a run pass: those of its own case or, where the rows are named
 /// differently, all rows of its benchmark.
@@ -38,41 +37,32 @@ pub fn closing(findings: &Findings) -> String {
     let [good, doubtful, _] = counts(right.iter().copied());
     let per_cent = 100.0 * (good + doubtful) as f64 / right.len().max(1) as f64;
     format!(
-        "grades: {per_cent:.1} % of the runs whose figures pass are good or doubtful ({}); the others: {}",
+        "{per_cent:.1} % of the runs whose figures pass are good or doubtful ({}); the others: {}",
         line(&right),
         line(&others)
     )
 }
 
-/// The section of docs/reference/verification.md.
-#[must_use]
-pub fn section(findings: &Findings) -> String {
-    let mut text = format!(
-        "## How the runs are graded\n\nEvery run of the suite is graded as a user's run is \
-         ([reliability.md](reliability.md)). {}.\n\n| run | figures | verdict | checks that are not good |\n| --- | --- | --- | --- |\n",
-        closing(findings)
-    );
-    for run in &findings.balances {
+/// The runs as lists for docs/data/verification.json: run, whether its figures pass, verdict, checks that are
+/// not good.
+pub(crate) fn as_data(findings: &Findings) -> Vec<serde_json::Value> {
+    let entries = findings.balances.iter().map(|run| {
         let checks: Vec<String> = run.trust.concerns().iter().map(|c| described(c)).collect();
         let figures = if passes(run, &findings.rows) { "pass" } else { "fail, or are not judged" };
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "| {}, {} | {figures} | {} | {} |",
-            run.id,
-            run.case,
+        serde_json::json!([
+            format!("{}, {}", run.id, run.case),
+            figures,
             run.trust.verdict.name(),
             checks.join("; ")
-        );
-    }
-    text.push('\n');
-    text
+        ])
+    });
+    entries.collect()
 }
 
 fn described(check: &trust::Check) -> String {
     let value = check
         .value
         .map_or("not available".to_owned(), |v| format!("{} {}", crate::table::figure(v), check.unit));
-    let mark = if check.verdict == trust::Verdict::Broken { "**" } else { "" };
-    format!("{mark}{} {}{mark}", check.name, value.trim_end())
+    let mark = if check.verdict == trust::Verdict::Broken { " (broken)" } else { "" };
+    format!("{} {}{mark}", check.name, value.trim_end())
 }

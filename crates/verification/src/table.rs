@@ -1,4 +1,4 @@
-//! The rows as a table: for the terminal and for Markdown.
+//! The rows as a table: for the terminal and as data.
 
 use crate::row::{Expected, Judgement, Row, Tolerance};
 
@@ -86,20 +86,28 @@ pub fn text(rows: &[Row]) -> String {
     text
 }
 
-/// The table in Markdown.
-#[must_use]
-pub fn markdown(rows: &[Row]) -> String {
-    let line = |cells: &[String; 9]| format!("| {} |\n", cells.join(" | "));
-    let mut text = line(&HEADS.map(str::to_owned));
-    text.push_str(&line(&RIGHT.map(|right| if right { "--:" } else { "---" }.to_owned())));
-    for row in rows {
-        let mut cells = cells(row);
-        if matches!(row.judgement(), Judgement::Fails | Judgement::Outside) {
-            cells[7] = format!("**{}**", cells[7]);
-        }
-        text.push_str(&line(&cells));
-    }
-    text
+/// What stands in a row of [`as_data`].
+pub(crate) const DATA_HEADS: [&str; 10] = [
+    "case",
+    "quantity",
+    "expected",
+    "obtained",
+    "error",
+    "tolerance",
+    "verdict",
+    "seconds",
+    "source",
+    "reason",
+];
+
+/// The rows of a benchmark as lists of what stands in the table, with source and reason of a failure.
+pub(crate) fn as_data<'a>(rows: &[Row], reason: impl Fn(&Row) -> &'a str) -> Vec<serde_json::Value> {
+    let entries = rows.iter().map(|row| {
+        let [_, shown @ ..] = cells(row);
+        let more = [row.source.to_string(), reason(row).to_owned()];
+        serde_json::json!(shown.into_iter().chain(more).collect::<Vec<_>>())
+    });
+    entries.collect()
 }
 
 /// The closing line: how many rows have which judgement.
@@ -138,7 +146,9 @@ mod tests {
         let text = text(&rows);
         assert!(text.contains("1.14 %") && text.contains("pass"), "{text}");
         assert!(closing(&rows).starts_with("1 passed, 0 failed;"));
-        assert_eq!(markdown(&rows).lines().count(), 4);
+        let data = as_data(&rows, |_| "");
+        assert_eq!(data[0].as_array().unwrap().len(), DATA_HEADS.len());
+        assert_eq!((data[0][1].as_str(), data[0][8].as_str()), (Some("N_c"), Some("Prandtl")));
     }
 
     #[test]
@@ -146,6 +156,6 @@ mod tests {
         let rows =
             [14.4, 16.0].map(|drag| Row::info("D3", "disc", "drag", drag).compared_with(15.0, 17.0, "trial"));
         assert!(closing(&rows).ends_with("1 inside, 1 outside"), "{}", closing(&rows));
-        assert!(markdown(&rows).contains("**outside**") && text(&rows).contains("inside"));
+        assert!(text(&rows).contains("outside"));
     }
 }

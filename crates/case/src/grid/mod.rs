@@ -10,6 +10,7 @@ mod usual;
 pub(crate) use check::check;
 pub(crate) use keys::{FOLLOW, KEYS};
 pub(crate) use read::{cells, follow, grid};
+pub use usual::expected_sinkage;
 pub(crate) use usual::usual;
 
 use glam::DVec3;

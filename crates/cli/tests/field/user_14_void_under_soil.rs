@@ -20,7 +20,7 @@ fn the_disc_of_the_readme_answers_as_it_says_there() {
     let summary: serde_json::Value = serde_json::from_str(&desk.read("towed/summary.json")).unwrap();
     assert_eq!(summary["trust"]["verdict"], between("and the grade \"", "\""));
     let stated = [
-        ("drag_N", 1.0, between("answers with ", " N of drag")),
+        ("drag_N", 1.0, between("coulter run disc.toml` gives ", " N of drag")),
         ("sinkage_m", 1e3, between(" N of drag, ", " mm of sinkage")),
         ("turn_ratio", 1.0, between("a turn ratio of ", " ")),
     ];

@@ -3,7 +3,6 @@
 
 use super::model_input::ModelInput;
 use super::variable::{Variable, find, variables};
-use case::format::new_name;
 use case::keys::Kind;
 use input::quantity;
 
@@ -60,9 +59,6 @@ impl Range {
 
 /// The variable of that name.
 pub(super) fn known(key: &str, input: &ModelInput) -> Result<Variable, Unreadable> {
-    if let Some(new) = new_name(key) {
-        return Err(Unreadable(format!("`{key}` is now called `{new}`; write {new}")));
-    }
     let Some(found) = find(key, &input.bodies) else {
         let own = variables().iter().filter(|v| v.belongs(input));
         let names = own.map(|v| v.dotted(input)).collect::<Vec<_>>().join(", ");

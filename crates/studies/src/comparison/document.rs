@@ -197,7 +197,8 @@ pub fn comparison_page(items: &[Item], comparison: &Comparison) -> Result<String
     let mut sections = vec![curves, differences];
     let means = means(items, comparison);
     if !means.rows.is_empty() {
-        let note = "Intervals of the means, from averages over blocks; docs/how-to/compare.md says how.".to_owned();
+        let note =
+            "Intervals of the means, from averages over blocks; docs/how-to/compare.md says how.".to_owned();
         let title = "Steady means".to_owned();
         sections.push(SheetSection { title, note, tables: vec![means], figures: Vec::new() });
     }
