@@ -5,7 +5,7 @@ on many sands.
     compare.py COULTER [--stiffness] [--set KEY=VALUE]..
 
 COULTER is the program. Runs `coulter element` on cases/sands/karlsruhe_fine.toml and cases/sands/toyoura.toml for every test of published/*.csv (each
-file names its source), and prints the tables of docs/studies/sand-laws.md: published, computed. `--stiffness` prints instead those of
+file names its source), and prints published and computed figures, whose means are in docs/studies/sand-laws.md. `--stiffness` prints instead those of
 docs/studies/sand-stiffness.md. Half a minute; standard library only. `--set`
 is handed on, such as --set soil.stiffness_limit="50 kPa"; without it the elastic moduli grow up to 500 kPa, beyond every test.
 """

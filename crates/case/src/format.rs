@@ -38,7 +38,7 @@ pub(super) fn check(node: &Value, problems: &mut Problems) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+
     use crate::parse;
     use input::CaseError;
 

@@ -48,7 +48,7 @@ pub fn page(request: &Request<'_>, calibration: &Calibration) -> Result<String, 
             .chain(warnings)
             .collect(),
         sections,
-        footer: "Intervals are those of the posterior density, 5 to 95 %; docs/how-to/calibration.md explains likelihood, priors and sampler."
+        footer: "Intervals are those of the posterior density, 5 to 95 %; docs/how-to/read-a-posterior.md explains likelihood, priors and sampler."
             .to_owned(),
     };
     sheet.html()
