@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/reference/measured.md and its picture from validation/measured and the registered predictions.
+"""Writes docs/reference/measured.md, its rows as docs/data/measured.csv, and its picture from validation/measured and the registered predictions.
 
     page.py [--check]
 
@@ -17,6 +17,7 @@ from xml.sax.saxutils import escape
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "reference" / "measured.md"
 PICTURE = ROOT / "docs" / "images" / "measured.svg"
+ROWS = ROOT / "docs" / "data" / "measured.csv"
 # Colours of Okabe and Ito (2008), and marks that survive without them.
 STYLE = {
     "footings": ("#0072b2", "circle"),
@@ -124,27 +125,19 @@ def sentence(table):
     return f"{len(solver)} measured figures of {len(sources)} sources, the median error is {per_cent(middle)}, and {sum(map(beyond, solver))} are off by more than a factor of 1.6 ([measurements](docs/reference/measured.md))"
 
 
-def given_rows(table):
-    lines = [line(["row", "quantity", "measured", "solver", "error", "closed form", "error", "grade of the run"]), line(["---", "---"] + ["--:"] * 5 + ["---"])]
-    for (row, quantity), models in table.given.items():
-        any_model = next(iter(models.values()))
-        cells = [row, f"{quantity} [{any_model['unit']}]", number(any_model["measured"])]
-        for model in ("solver", "closed form"):
-            entry = models.get(model)
-            cells += [number(entry["value"]), f"{100 * error(entry):+.0f} %".replace("-", "−")] if entry else ["–", "–"]
-        lines.append(line([*cells, models["solver"]["grade"].split(":")[0] if "solver" in models else "–"]))
-    return lines
-
-
-def blind_rows(table):
-    lines = [line(["row", "quantity", "solver", "90 %", "closed form", "90 %", "grade of the run"]), line(["---", "---"] + ["--:"] * 4 + ["---"])]
-    for (row, quantity), models in table.blind.items():
-        cells = [row, f"{quantity} [{table.unit(row, quantity)}]"]
-        for model in ("solver", "closed form"):
-            entry = models.get(model)
-            cells += [number(entry["value"]), f"{number(entry['low'])} to {number(entry['high'])}"] if entry else ["–", "–"]
-        lines.append(line([*cells, models["solver"]["grade"].split(":")[0] if "solver" in models else "–"]))
-    return lines
+def rows(table):
+    """Measured, computed and predicted figures as CSV."""
+    lines = ["row,quantity,unit,measured,solver,solver_low,solver_high,closed_form,closed_form_low,closed_form_high,grade"]
+    for figures, known in ((table.given, True), (table.blind, False)):
+        for (row, quantity), models in figures.items():
+            cells = [row, quantity, table.unit(row, quantity) or "-"]
+            cells.append(f"{next(iter(models.values()))['measured']:.4g}" if known else "")
+            for model in ("solver", "closed form"):
+                entry = models.get(model, {})
+                cells += [f"{entry[key]:.4g}" if key in entry else "" for key in ("value", "low", "high")]
+            cells.append(models["solver"]["grade"].split(":")[0] if "solver" in models else "")
+            lines.append(",".join(cells))
+    return "\n".join(lines) + "\n"
 
 
 def page(table):
@@ -153,7 +146,7 @@ def page(table):
     return "\n".join([
         "# Measurements",
         "",
-        "Made by `scripts/measured/page.py`; do not edit.",
+        "<!-- Made by scripts/measured/page.py. -->",
         "",
         f"{figures} measured figures of {sources} sources, of wheels, plates, footings, blades, spheres and walls, beside what Coulter computes. The soil of D6 is fitted to a plate in the same bed; of",
         "M1, M3, M4, M6 and the plates of M7 one or two numbers that the set leaves open were decided by the given rows themselves (round 2), so that their given rows are no test; of the others nothing is fitted: [the page of the sets](../../validation/measured/README.md) says what was chosen and why, and has the rule of the intervals.",
@@ -163,15 +156,7 @@ def page(table):
         "",
         "![Computed over measured figures by kind of body; predictions of rows whose measured figures are kept from the project, with their 90 % intervals](../images/measured.svg)",
         "",
-        "## Measured and computed",
-        "",
-        *given_rows(table),
-        "",
-        "## Predicted",
-        "",
-        f"{len(table.blind)} figures that were measured, too, but which the project has not seen: they are for others to score. Registered in [predictions.toml](../../validation/blind/predictions.toml) with the command of each.",
-        "",
-        *blind_rows(table),
+        f"All of them are in [measured.csv](../data/measured.csv), and {len(table.blind)} predictions, with 90 % intervals, of figures that were measured too, but that the project has not seen: they are for others to score. [predictions.toml](../../validation/blind/predictions.toml) registers each with its command.",
         "",
     ])
 
@@ -266,7 +251,7 @@ def main():
     table = Table()
     if not table.given:
         sys.exit("page.py: validation/measured/computed.toml holds no given row; run scripts/measured/run.py")
-    wanted = {PAGE: page(table), PICTURE: picture(table)}
+    wanted = {PAGE: page(table), ROWS: rows(table), PICTURE: picture(table)}
     if sys.argv[1:] == ["--check"]:
         stale = [str(path.relative_to(ROOT)) for path, new in wanted.items() if not path.is_file() or path.read_text(encoding="utf-8") != new]
         if stale:
