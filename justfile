@@ -11,7 +11,7 @@ check:
 test crate="":
     cargo test --release --locked --no-fail-fast {{ if crate == "" { "--workspace" } else if crate == "coulter" { "-p coulter" } else { "-p coulter-" + crate } }}
 
-# 30 short runs of every kind give the same bits as before
+# 31 short runs of every kind give the same bits as before
 fingerprints:
     cargo test --release --locked -p coulter --test fingerprints
 
@@ -38,6 +38,10 @@ fuzz target="" *options:
 # Changes the physics line by line and asks whether a test fails
 mutants *options:
     scripts/mutants {{ options }}
+
+# As fast as another commit? Both are built and bench in turns
+guard commit:
+    scripts/speed/guard {{ commit }}
 
 # Everything that must pass before a merge
 ci *parts:

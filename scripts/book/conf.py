@@ -40,12 +40,13 @@ html_css_files = ["book.css"]
 html_copy_source = False
 html_show_sphinx = False
 
+VIEWER = ROOT / "docs/data/verification.html"
 MAP = "<!-- map of the files: made when the book is built -->"
 
 
 def setup(app):
     app.connect("source-read", with_map)
-    app.connect("source-read", without_folders)
+    app.connect("source-read", with_links_of_the_book)
     app.connect("build-finished", finished)
 
 
@@ -56,11 +57,13 @@ def with_map(app, page, source):
         source[0] = source[0].replace(MAP, shown.stdout)
 
 
-def without_folders(app, page, source):
-    """A link to a folder leads somewhere in the repository, and nowhere in the book."""
+def with_links_of_the_book(app, page, source):
+    """A link to a folder leads nowhere in the book; the viewer of the verification is a page of it."""
     here = Path(app.env.doc2path(page)).parent
     folder = lambda found: found[1] if "//" not in found[2] and (here / found[2]).is_dir() else found[0]  # noqa: E731
     source[0] = re.sub(r"\[([^\]]*)\]\(([^)#\s]+)\)", folder, source[0])
+    up = "../" * page.count("/")
+    source[0] = re.sub(r"\[([^\]]*)\]\([^)]*" + VIEWER.name + r"\)", rf'<a href="{up}{VIEWER.name}">\1</a>', source[0])
 
 
 def finished(app, failure):
@@ -71,9 +74,8 @@ def finished(app, failure):
     data = json.loads((ROOT / "docs/data/verification.json").read_text(encoding="utf-8"))
     paths = [path for benchmark in data["benchmarks"] for path in benchmark["pictures"]]
     data["svg"] = {path: (ROOT / "docs" / path).read_text(encoding="utf-8") for path in paths}
-    for viewer in out.glob("_downloads/*/verification.html"):
-        page = viewer.read_text(encoding="utf-8")
-        mark = '<script type="application/json" id="data">'
-        filled = json.dumps(data, ensure_ascii=False).replace("</", "<\\/")
-        viewer.write_text(page.replace(mark, mark + filled, 1), encoding="utf-8")
+    mark = '<script type="application/json" id="data">'
+    filled = json.dumps(data, ensure_ascii=False).replace("</", "<\\/")
+    page = VIEWER.read_text(encoding="utf-8").replace(mark, mark + filled, 1)
+    (out / VIEWER.name).write_text(page, encoding="utf-8")
     (out / "index.html").write_text('<meta http-equiv="refresh" content="0; url=docs/README.html">\n', encoding="utf-8")

@@ -179,7 +179,7 @@ speed() {
             "${!each}" bench --json --warm-up 200 --steps 600 >"$scratch/$each.$n.json"
         done
     done
-    "$python" scripts/release/compare_speed.py "$scratch"/program.*.json -- "$scratch"/ordinary.*.json
+    "$python" scripts/speed/compare.py static "$scratch"/program.*.json -- ordinary "$scratch"/ordinary.*.json
 }
 
 sums() {

@@ -1,5 +1,6 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
+use super::grid;
 use super::model::model;
 use super::output_size::{self, OutputSize};
 use super::path::travel;
@@ -128,6 +129,13 @@ pub fn most_contact_points(case: &Case) -> Option<(String, f64)> {
     let model = model(case, LANES);
     let points = model.bodies.iter().map(|body| (body.name.clone(), surface_points(&model, body)));
     points.max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// Sinkage [m] at which the soil of a case would bear a body under its own weight, for estimates of a run; at
+/// most its height. `None` for a body that does not sink freely.
+#[must_use]
+pub fn expected_sinkage(case: &Case, body: &Body) -> Option<f64> {
+    grid::rest(body, grid::is_towed(body, case.duration), &case.soil, case.gravity)
 }
 
 /// Estimated displacement of a body at the end [m]: one that is free to sink is assumed to do so by a tenth

@@ -4,7 +4,7 @@
 pub use super::body::{Attitude, Body, MOTIONS, Part, Staged};
 use super::clearance::SoilConditions;
 pub use super::domain::{Domain, Wall};
-pub use super::grid::{Grid, expected_sinkage};
+pub use super::grid::Grid;
 pub use super::ground::Ground;
 pub use super::joint::{GROUND, Joint, JointKind};
 pub use super::layer::Layer;

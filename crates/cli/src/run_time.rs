@@ -2,9 +2,9 @@
 //! in which the bodies move at full speed at the depth that they are expected to reach: contact, remap and
 //! yielding make steps up to five times as dear as the first ones of a run.
 
-use coulter::case::estimate::{Cost, Estimate, most_contact_points};
+use coulter::case::estimate::{Cost, Estimate, expected_sinkage, most_contact_points};
 use coulter::case::path::travel;
-use coulter::case::resolved::{Case, Ground, Motion, Precision, expected_sinkage};
+use coulter::case::resolved::{Case, Ground, Motion, Precision};
 use coulter::simulation::Simulation;
 use glam::DVec3;
 use std::time::Duration;

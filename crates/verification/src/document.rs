@@ -41,22 +41,38 @@ const HEADLINES: [[&str; 4]; 6] = [
 pub fn between_markers(text: &str, rows: &[Row]) -> Option<String> {
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{BEGIN}\n{}\n{END}{after}", headlines(rows)))
+    Some(format!("{before}{BEGIN}\n{}\n{END}{after}", sentence(rows)))
 }
 
-/// A sentence on the headlines, without those whose benchmark was not run, and one on all rows.
-fn headlines(rows: &[Row]) -> String {
-    let errors = HEADLINES.iter().filter_map(|[id, case, quantity, name]| {
+/// The headlines whose benchmark was run: name, id, exact value, row, and by how much it is off.
+fn headlines(rows: &[Row]) -> impl Iterator<Item = (&'static str, &'static str, f64, &Row, String)> {
+    HEADLINES.iter().filter_map(|[id, case, quantity, name]| {
         let row = rows.iter().find(|row| row.id == *id && row.case == *case && row.quantity == *quantity)?;
         let Expected::Value(exact) = row.expected else { return None };
         let mark = if row.judgement() == Judgement::Fails { "**" } else { "" };
         let off = format!("{:+.1} %", 100.0 * (row.obtained / exact - 1.0)).replace('-', "−");
-        Some(format!("{name} {mark}{off}{mark}"))
-    });
+        Some((*name, *id, exact, row, format!("{mark}{off}{mark}")))
+    })
+}
+
+/// The headlines as a sentence, and one on all rows.
+fn sentence(rows: &[Row]) -> String {
+    let errors: Vec<String> = headlines(rows).map(|(name, _, _, _, off)| format!("{name} {off}")).collect();
     format!(
         "Compared with exact solutions: {}. Of all rows [{}](docs/reference/verification.md).",
-        errors.collect::<Vec<_>>().join("; "),
+        errors.join("; "),
         table::closing(rows)
+    )
+}
+
+/// The headlines as a table.
+fn known(rows: &[Row]) -> String {
+    let lines = headlines(rows).map(|(name, id, exact, row, off)| {
+        format!("| {name} | {id} | {} | {} | {off} |\n", table::figure(exact), table::figure(row.obtained))
+    });
+    format!(
+        "| | id | exact | Coulter | error |\n| --- | --- | --: | --: | --: |\n{}",
+        lines.collect::<String>()
     )
 }
 
@@ -102,9 +118,10 @@ pub fn page(findings: &Findings) -> String {
          All {} figures, with case, expected value, tolerance, source, and the reason of each failure, are in \
          [verification.json](../data/verification.json); the book shows them in a [table to search](../data/verification.html). \
          `coulter verify ID` computes them anew.\n\n\
-         {}.\n\n{}\n## Grades\n\n\
+         {}\n{}.\n\n{}\n## Grades\n\n\
          Every run of the suite is [graded](reliability.md) as a run of yours is; {}.\n",
         findings.rows.len(),
+        known(&findings.rows),
         table::closing(&findings.rows),
         summary(&findings.rows),
         grades::closing(findings)

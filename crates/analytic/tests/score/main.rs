@@ -1,8 +1,8 @@
 //! Which of the full friction angle, Davis' angle and 3D-RFT to believe when: scores beside measurements and
 //! the solver.
 //!
-//! `scripts/forecast_score` prints the tables; they stand in docs/how-to/forecast.md, and this test fails where they
-//! are not up to date (`COULTER_UPDATE=1` rewrites them). Parameters of the measured sand are fixed before
+//! `scripts/forecast_score` prints the tables; they stand in docs/how-to/forecast.md, and this test fails where
+//! they are not up to date (`COULTER_UPDATE=1` rewrites them). Parameters of the measured sand are fixed before
 //! any row of the wheel: γ as measured; φ in two ways, the angle of repose and the angle that fits the plate
 //! best; μ assumed.
 #![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
@@ -267,8 +267,8 @@ fn the_scores_are_those_of_the_documentation() {
     }
 }
 
-/// The rule of docs/how-to/forecast.md: of the answers that reach over the whole class, the one with the smallest
-/// median error is recommended.
+/// The rule of docs/how-to/forecast.md: of the answers that reach over the whole class, the one with the
+/// smallest median error is recommended.
 #[test]
 fn the_recommendation_follows_from_the_scores() {
     let best = |class: Class, angle: usize, answers: &[usize]| {

@@ -10,8 +10,7 @@ mod usual;
 pub(crate) use check::check;
 pub(crate) use keys::{FOLLOW, KEYS};
 pub(crate) use read::{cells, follow, grid};
-pub use usual::expected_sinkage;
-pub(crate) use usual::usual;
+pub(crate) use usual::{is_towed, rest, usual};
 
 use glam::DVec3;
 use serde::Serialize;

@@ -6,7 +6,6 @@ use crate::body::Body;
 use crate::clearance::{SoilConditions, chord, deepest};
 use crate::context::Context;
 use crate::path::{body_length, displacement};
-use crate::resolved::Case;
 use crate::soil::Soil;
 use analytic::bearing::{Footing, Method};
 use analytic::capacity::ultimate_pressure;
@@ -84,16 +83,9 @@ fn widest(body: &Body, soil: &Soil, context: &Context, duration: f64) -> DVec3 {
     }
 }
 
-fn is_towed(body: &Body, duration: f64) -> bool {
+pub(crate) fn is_towed(body: &Body, duration: f64) -> bool {
     let moved = displacement(body, duration);
     moved.x != 0.0 || moved.y != 0.0 || body.guided().translation[..2].iter().any(Motion::is_free)
-}
-
-/// Sinkage [m] at which the soil of a case would bear a body under its own weight, for estimates of a run; at
-/// most its height. `None` for a body that does not sink freely.
-#[must_use]
-pub fn expected_sinkage(case: &Case, body: &Body) -> Option<f64> {
-    rest(body, is_towed(body, case.duration), &case.soil, case.gravity)
 }
 
 /// Sinkage [m] at which the soil bears a free body as a strip footing as wide as the narrower side of its
@@ -101,7 +93,7 @@ pub fn expected_sinkage(case: &Case, body: &Body) -> Option<f64> {
 ///
 /// That half was chosen after a look: with it the shipped disc comes out at 42 mm (its runs: 44), with the
 /// whole contact at 20 mm.
-fn rest(body: &Body, is_towed: bool, soil: &Soil, gravity: f64) -> Option<f64> {
+pub(crate) fn rest(body: &Body, is_towed: bool, soil: &Soil, gravity: f64) -> Option<f64> {
     let force = body.pressing_force(body.whole_mass() * gravity).filter(|force| *force > 0.0)?;
     let angle = soil.law.friction_angle().unwrap_or(0.0);
     let soil = analytic::Soil {
@@ -158,7 +150,7 @@ fn rounded_down(length: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{advice, parse};
+    use crate::{Case, advice, parse};
 
     #[test]
     fn the_documented_numbers_of_cells_are_these() {

@@ -49,7 +49,8 @@ pub struct Request<'a> {
     pub budget: Option<Budget>,
 }
 
-/// Time per cell and step in single precision over that in double (`docs/reference/performance.md`: two thirds).
+/// Time per cell and step in single precision over that in double (docs/reference/performance.md: two
+/// thirds).
 const SINGLE: f64 = 0.67;
 
 /// Runs a case and its variations, and writes its results with the intervals that follow from all of them.

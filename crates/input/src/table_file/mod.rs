@@ -4,8 +4,8 @@
 //! Fields are separated by semicolons, tabs, commas or runs of spaces, whichever the first line has; lines
 //! end in LF, CR LF or CR. `#` begins a comment. Where the separator is no comma, or a number stands in
 //! quotes, decimals may have a comma. The header names the columns, each with its unit in square or round
-//! brackets or in a line of units below it. What had to be guessed is a remark; docs/reference/tables.md describes the
-//! dialect.
+//! brackets or in a line of units below it. What had to be guessed is a remark;
+//! docs/reference/tables.md describes the dialect.
 
 mod header;
 mod lines;
