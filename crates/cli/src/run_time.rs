@@ -22,22 +22,22 @@ const TRIAL_TIME: Duration = Duration::from_millis(100);
 const MOST_POINTS: f64 = 2e5;
 /// Sinkage in the trial of a free body that its weight does not press in, over its height (chosen).
 const SINKAGE: f64 = 0.1;
-/// Cost of later steps over that of the trial, and over that of the first steps where nothing moves or the
-/// trial breaks down; measured on the shipped cases (`scripts/speed/run_times.py`).
-const LATER_STEPS: [f64; 2] = [1.15, 1.5];
+/// Cost of the steps of a run over that of the trial with moving bodies: a run begins gently. Measured on the
+/// shipped cases (`scripts/speed/run_times.py`).
+const STEPS_OF_A_RUN: f64 = 0.95;
 /// Part of the time of several threads in which they compute: two were 1.5 times as fast as one where contact
 /// takes half of the time, and up to 1.9 times.
 const EFFICIENCY: f64 = 0.83;
 /// Time for the report [s], and per cell of a field file [s]; measured.
-const WRITING: [f64; 2] = [0.6, 1.3e-6];
+const WRITING: [f64; 2] = [1.2, 1.3e-6];
 
 /// Wall-clock time of a run of the case on this machine [s]; `None` if the first step fails.
 pub(super) fn estimate(case: &Case, cost: &Cost) -> Option<f64> {
     let Estimate { cells, filled_cells, steps, .. } = cost.estimate;
     let writing = WRITING[0] + WRITING[1] * cells * cost.output.frames;
-    let moving = in_motion(case).and_then(|case| measured(&case, cells)).map(|rate| (rate, LATER_STEPS[0]));
-    let (rate, later) = moving.or_else(|| measured(case, cells).map(|rate| (rate, LATER_STEPS[1])))?;
-    Some(writing + steps * filled_cells * later / rate).filter(|seconds| seconds.is_finite())
+    let moving = in_motion(case).and_then(|case| measured(&case, cells));
+    let rate = moving.map(|rate| rate / STEPS_OF_A_RUN).or_else(|| measured(case, cells))?;
+    Some(writing + steps * filled_cells / rate).filter(|seconds| seconds.is_finite())
 }
 
 /// The case with its bodies at full speed and as deep as they are expected to sink, or half as deep as they

@@ -145,7 +145,6 @@ fn what_it_cannot_answer_is_refused_with_the_reason() {
         (&["--points", "9"], "--against"),
         (&["--force"], "--against"),
         (&["--against", "sinkage_exponent=0.5..1.5"], "terrain ="),
-        (&["--spread", "forecast.plate_cohesive=1", "--uncertainty"], "`forecast.cohesive_modulus`"),
         (&["--set", "forecast.sinkage_exponent=1.1"], "forecast.cohesive_modulus"),
         (&["--set", "forecast.frictional_modulus=5 kN/m^3"], "must contain n"),
         (&["--set", "forecast.terrain=\"LETE\""], "LETE sand"),

@@ -223,7 +223,7 @@ fn refused(old: &str, new: &str, words: &[&str]) {
 #[test]
 fn broken_studies_are_refused_with_place_and_cure() {
     refused("format = 2", "format = 3", &["newer than this version"]);
-    refused("format = 2", "format = 1", &["no longer read", "format = 2"]);
+    refused("format = 2", "format = 1", &["there is no format 1", "format = 2"]);
     refused("format = 2\n", "", &["`format` is missing", "format = 2"]);
     refused("case = \"disc.toml\"", "case = \"dics.toml\"", &["dics.toml", "relative to the folder"]);
     refused("case = \"disc.toml\"", "case = 3", &["expected text"]);
