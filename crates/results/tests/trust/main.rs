@@ -1,6 +1,8 @@
 //! The grade of a run: each check reports a problem when, and only when, it should.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
+mod figures;
+
 use case::Case;
 use results::history::reference::Reference;
 use results::history::{BodySample, BoundarySample, EnergySample, History};
