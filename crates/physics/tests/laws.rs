@@ -327,6 +327,18 @@ fn cohesionless_soil_has_no_tensile_strength_and_records_the_gap() {
 }
 
 #[test]
+fn the_most_tension_is_that_at_the_apex() {
+    for s in SAMPLES.iter().filter(|s| s.friction > 0.0) {
+        let apex = s.cohesion / s.friction.to_radians().tan();
+        for law in laws(s) {
+            let back =
+                Spectrum::of(law.return_map([2e5, 2.2e5, 1.8e5, 10.0, 0.0, 0.0], &Point::default()).stress);
+            assert!(back.principal.iter().all(|stress| (stress - apex).abs() < 1e-6), "{}: {back:?}", s.name);
+        }
+    }
+}
+
+#[test]
 fn the_strains_of_a_return_are_those_that_the_stress_lost() {
     for (s, cutoff) in SAMPLES.iter().flat_map(|s| [(s, 1e3), (s, f64::INFINITY)]) {
         let (friction, dilation) = (s.friction.to_radians(), s.dilation.to_radians());
@@ -353,19 +365,21 @@ fn flow_at_an_edge_is_a_sum_of_that_of_its_planes() {
         let (law, sin) = (surface(s), s.dilation.to_radians().sin());
         for trial in stresses() {
             let [before, after] = [trial, law.return_map(trial, &Point::default()).stress].map(Spectrum::of);
-            if after.principal[2] > law.apex() - 1e-3 {
-                continue;
-            }
             let lost: [f64; 3] = std::array::from_fn(|n| before.principal[n] - after.principal[n]);
             let (strain, volume) = plastic_strain([lost[0], lost[1], lost[2], 0.0, 0.0, 0.0], [0.0; 6]);
             let strain = [0, 1, 2].map(|n| strain[n] + volume / 3.0);
             let most = 1e-9 * (1e5 + mises(trial)) / elastic().shear;
+            let extension: f64 = strain.iter().map(|e| e.max(0.0)).sum();
+            let off = (1.0 - sin) * extension + (1.0 + sin) * (volume - extension);
+            // At the apex there is more extension.
+            if after.principal[2] > law.apex() - 1e-3 {
+                assert!(off > -3.0 * most, "{}: {trial:?} {strain:?}", s.name);
+                continue;
+            }
             let apart = [0, 1].map(|n| after.principal[n] - after.principal[n + 1] > 1e-3);
             assert!(strain[0] > -most && strain[2] < most, "{}: {trial:?}", s.name);
             assert!(!apart[0] || strain[1] < most, "{}: {trial:?} {strain:?}", s.name);
             assert!(!apart[1] || strain[1] > -most, "{}: {trial:?} {strain:?}", s.name);
-            let extension: f64 = strain.iter().map(|e| e.max(0.0)).sum();
-            let off = (1.0 - sin) * extension + (1.0 + sin) * (volume - extension);
             assert!(off.abs() < 3.0 * most, "{}: {trial:?} {strain:?}", s.name);
         }
     }
@@ -399,6 +413,20 @@ fn the_cheap_check_is_the_cone_that_touches_the_pyramid_and_its_cut_off() {
             yields
         );
     }
+}
+
+#[test]
+fn dissipation_is_least_where_the_circle_is_farthest_outside_the_hexagon() {
+    // Half way along a side of Tresca's hexagon, where its radius is √3/2 of that of the circle.
+    for s in &SAMPLES {
+        let (phi, psi) = (s.friction.to_radians(), s.dilation.to_radians());
+        let law = smooth(s, Eccentricity { meridional: 0.1, deviatoric: 1.0 });
+        let ratio = if s.friction > 0.0 { psi.tan() / phi.tan() } else { 0.0 };
+        let exact = (3.0 - phi.sin()) / (2.0 * (3.0 + phi.sin().powi(2)).sqrt()) - ratio;
+        assert!((law.least_dissipation() - exact).abs() < 1e-4, "{}: {exact}", s.name);
+    }
+    let usual = Eccentricity::usual(30_f64.to_radians());
+    assert!(usual.meridional == 0.1 && (usual.deviatoric - 5.0 / 7.0).abs() < 1e-15);
 }
 
 #[test]
