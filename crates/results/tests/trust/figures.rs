@@ -211,6 +211,42 @@ fn leak_and_limits_of_motion_have_their_figures() {
     assert!((sinkage / (100.0 * 1e-4 * window / (0.06 + 1e-4 * (400.0 - 0.5 * window))) - 1.0).abs() < 0.02);
 }
 
+/// Up and down from sample to sample.
+fn saw(n: f64) -> f64 {
+    if n % 2.0 == 0.0 { 1.0 } else { -1.0 }
+}
+
+#[test]
+fn noise_and_trend_are_relative_to_the_force() {
+    let (mut held, whole) = (facts(), 15_f64.hypot(40.0));
+    (held.bodies[0].heaves, held.bodies[0].heaves_freely, held.bodies[0].turned_about) =
+        (false, false, Some(2));
+    type Course = fn(f64, &mut BodySample);
+    let noisy: [(&str, Course, f64); 5] = [
+        ("vertical noise", |n, s| s.vertical = 40.0 + 10.0 * saw(n), 10.0 / 40.0),
+        ("vertical noise", |n, s| s.vertical = saw(n), 1.0 / (0.3 * 15.0)),
+        ("lateral noise", |n, s| s.lateral = 40.0 + 10.0 * saw(n), 10.0 / 40.0),
+        ("torque noise", |n, s| s.moment_z = 6.5 + 1.5 * saw(n), 1.5 / 6.5),
+        // A tenth of the force on an arm of half the diameter.
+        ("torque noise", |n, s| s.moment_z = 0.1 * saw(n), 0.1 / (0.1 * 0.1 * whole)),
+    ];
+    for (name, course, exact) in noisy {
+        // Fifteen samples lie within a cell: of a saw their mean is a fifteenth, on the other side.
+        let found = figure(&held, &moved(course), name) / (100.0 * exact * 16.0 / 15.0);
+        assert!((found - 1.0).abs() < 0.02, "{name}: {found}");
+    }
+    let rising: [(&str, Course); 3] = [
+        ("steady vertical force", |n, s| s.vertical = 40.0 + 0.03 * n),
+        ("steady lateral force", |n, s| s.lateral = 40.0 + 0.03 * n),
+        ("steady torque", |n, s| s.moment_z = 40.0 + 0.03 * n),
+    ];
+    let window = 400.0 * tow(&[]).output.steady_fraction;
+    for (name, course) in rising {
+        let found = figure(&held, &moved(course), name) / (3.0 * window / (52.0 - 0.015 * window));
+        assert!((found - 1.0).abs() < 0.02, "{name}: {found}");
+    }
+}
+
 #[test]
 fn a_check_says_its_figure_and_its_limits() {
     for (check, line) in [
