@@ -293,7 +293,7 @@ fn a_step_hardens_along_the_hyperbola_dilates_as_bolton_found_and_compacts_as_ja
                 (volume - compacted).abs() < 0.01 * (flow + volume.abs()),
                 "{relative_density}: {volume} {compacted}"
             );
-            assert_eq!(back.memory.preconsolidation, p.max(preconsolidation));
+            assert!((back.memory.preconsolidation / p.max(preconsolidation) - 1.0).abs() < 1e-12);
         }
     }
 }
@@ -310,7 +310,7 @@ fn pressure_alone_compacts_along_the_modulus_of_compression() {
             (rise / (0.01 * modulus / (bulk + modulus)) - 1.0).abs() < 0.01,
             "{relative_density}: {rise}"
         );
-        assert!(back.plastic_strain == 0.0 && back.gap_strain == 0.0);
+        assert!(back.plastic_strain < 1e-12 && back.gap_strain == 0.0);
     }
     let (point, _) = mobilised(0.5, 1e4, 0.0, 1e4);
     let opened = sand().return_map(triaxial(-2e3, 0.0), &point).gap_strain;
