@@ -36,8 +36,8 @@ fuzz target="" *options:
     scripts/fuzz {{ target }} {{ options }}
 
 # Changes the physics line by line and asks whether a test fails
-mutants *options:
-    scripts/mutants {{ options }}
+mutants part *options:
+    scripts/mutants {{ part }} {{ options }}
 
 # As fast as another commit? Both are built and bench in turns
 guard commit:

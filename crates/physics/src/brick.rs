@@ -75,4 +75,12 @@ mod tests {
         assert_eq!((sums.plain, sums.side), (0.0, [0.0; 3]));
         assert_eq!(sums.hourglass(), 64.0);
     }
+
+    #[test]
+    fn an_hourglass_decays_at_the_rate_of_its_coefficient() {
+        // Corners of mass ρ l³/8 against the force 8 C v decay at 16 ε c/l: here 16 · 0.1 · 150 m/s/0.5 m.
+        let (density, length): (Real, Real) = (1600.0, 0.5);
+        let coefficient = hourglass_coefficient(0.1, density, 150.0, length);
+        assert!((64.0 * coefficient / (density * length.powi(3)) - 480.0).abs() < 1e-3);
+    }
 }

@@ -57,13 +57,22 @@ mod tests {
 
     #[test]
     fn a_cell_that_is_compressed_along_an_axis_has_its_width_along_it() {
-        let widths = [3.0, 2.0, 1.0];
+        let widths = [3.0, 2.0, 4.0];
         for (axis, width) in widths.into_iter().enumerate() {
             let mut rates = [0.0; 3];
             rates[axis] = -1e-3;
             assert!((strained_width(widths, rates) - width).abs() < 1e-5);
         }
-        assert!((strained_width(widths, [0.0; 3]) - 2.0).abs() < 1e-5);
-        assert!((strained_width(widths, [1.0, 0.0, -1.0]) - 2.0).abs() < 1e-5);
+        assert!((strained_width(widths, [0.0; 3]) - 3.0).abs() < 1e-5);
+        assert!((strained_width(widths, [1.0, 0.0, -1.0]) - 3.5).abs() < 1e-5);
+    }
+
+    #[test]
+    fn compression_is_resisted_by_both_terms_and_expansion_by_the_linear_one() {
+        // l ε̇ᵥ = 0.06 m/s: ρ b₁ c of it is 864 Pa, ρ (b₂ of it)² 8.2944 Pa.
+        let viscosity = BulkViscosity::new(0.06, 1.2, 1600.0, 150.0);
+        for (rate, stress) in [(-3.0, -872.2944), (0.0, 0.0), (3.0, 864.0)] {
+            assert!((viscosity.stress(0.02, rate) - stress).abs() < 1e-3, "{rate} 1/s");
+        }
     }
 }

@@ -79,3 +79,12 @@ fn fast_shear_finds_more_strength() {
         assert!((stress / (factor * STRENGTH) - 1.0).abs() < 1e-5, "{rate} 1/s: {stress} Pa");
     }
 }
+
+#[test]
+fn the_cheap_check_is_the_circle_that_touches_the_hexagon_in_simple_shear() {
+    let law = Clay::new(elastic(), &LASTING);
+    for (part, yields) in [(0.999, false), (1.001, true)] {
+        let stress = [-1e4, -1e4, -1e4, part * STRENGTH, 0.0, 0.0];
+        assert_eq!(law.may_yield(stress, &intact(1.0)), yields);
+    }
+}

@@ -325,3 +325,112 @@ fn cohesionless_soil_has_no_tensile_strength_and_records_the_gap() {
         assert!((back.gap_strain - 1e4 / elastic().bulk).abs() < 1e-12);
     }
 }
+
+#[test]
+fn the_most_tension_is_that_at_the_apex() {
+    for s in SAMPLES.iter().filter(|s| s.friction > 0.0) {
+        let apex = s.cohesion / s.friction.to_radians().tan();
+        for law in laws(s) {
+            let back =
+                Spectrum::of(law.return_map([2e5, 2.2e5, 1.8e5, 10.0, 0.0, 0.0], &Point::default()).stress);
+            assert!(back.principal.iter().all(|stress| (stress - apex).abs() < 1e-6), "{}: {back:?}", s.name);
+        }
+    }
+}
+
+#[test]
+fn the_strains_of_a_return_are_those_that_the_stress_lost() {
+    for (s, cutoff) in SAMPLES.iter().flat_map(|s| [(s, 1e3), (s, f64::INFINITY)]) {
+        let (friction, dilation) = (s.friction.to_radians(), s.dilation.to_radians());
+        let law = MohrCoulomb::new(elastic(), friction, dilation, s.cohesion, cutoff);
+        for trial in stresses() {
+            let back = law.return_map(trial, &Point::default());
+            let (strain, volume) = plastic_strain(trial, back.stress);
+            let most = 1e-10 * (1e5 + mises(trial)) / elastic().shear;
+            let size = (2.0 / 3.0 * contract(strain, strain)).sqrt();
+            assert!((back.plastic_strain - size).abs() < most, "{}: {trial:?}", s.name);
+            // Soil opens where no stress is left to bear: all three at the cut-off.
+            let least = Spectrum::of(back.stress).principal[2];
+            let gap = if least > cutoff.min(law.apex()) - 1e-6 { volume } else { 0.0 };
+            assert!((back.gap_strain - gap).abs() < most, "{}: {trial:?} {back:?}", s.name);
+        }
+    }
+}
+
+#[test]
+fn flow_at_an_edge_is_a_sum_of_that_of_its_planes() {
+    // Koiter (1953): between two planes at σ₁ = σ₂ the middle strain is one of extension, at σ₂ = σ₃ of
+    // compression, elsewhere none; extensions and compressions are in the ratio of 1 + sin ψ to 1 − sin ψ.
+    for s in &SAMPLES {
+        let (law, sin) = (surface(s), s.dilation.to_radians().sin());
+        for trial in stresses() {
+            let [before, after] = [trial, law.return_map(trial, &Point::default()).stress].map(Spectrum::of);
+            let lost: [f64; 3] = std::array::from_fn(|n| before.principal[n] - after.principal[n]);
+            let (strain, volume) = plastic_strain([lost[0], lost[1], lost[2], 0.0, 0.0, 0.0], [0.0; 6]);
+            let strain = [0, 1, 2].map(|n| strain[n] + volume / 3.0);
+            let most = 1e-9 * (1e5 + mises(trial)) / elastic().shear;
+            let extension: f64 = strain.iter().map(|e| e.max(0.0)).sum();
+            let off = (1.0 - sin) * extension + (1.0 + sin) * (volume - extension);
+            // At the apex there is more extension.
+            if after.principal[2] > law.apex() - 1e-3 {
+                assert!(off > -3.0 * most, "{}: {trial:?} {strain:?}", s.name);
+                continue;
+            }
+            let apart = [0, 1].map(|n| after.principal[n] - after.principal[n + 1] > 1e-3);
+            assert!(strain[0] > -most && strain[2] < most, "{}: {trial:?}", s.name);
+            assert!(!apart[0] || strain[1] < most, "{}: {trial:?} {strain:?}", s.name);
+            assert!(!apart[1] || strain[1] > -most, "{}: {trial:?} {strain:?}", s.name);
+            assert!(off.abs() < 3.0 * most, "{}: {trial:?} {strain:?}", s.name);
+        }
+    }
+}
+
+#[test]
+fn the_cheap_check_is_the_cone_that_touches_the_pyramid_and_its_cut_off() {
+    let pressure = [-1e5, -1e5, -1e5, 0.0, 0.0, 0.0];
+    for (s, law) in everything() {
+        // Deviators of unit size at all Lode angles, and how far each reaches.
+        let reach = |degrees: i32| {
+            let (sin, cos) = (0.1 * f64::from(degrees)).to_radians().sin_cos();
+            let (a, b) = (cos / 6_f64.sqrt(), sin / 2_f64.sqrt());
+            let unit = [2.0 * a, b - a, -b - a];
+            let at = |size: f64| surface(s).yield_function(unit.map(|u| size * u - 1e5));
+            (at(0.0) / (at(0.0) - at(1.0)), unit)
+        };
+        // Principal values are in order from 0 to 60°.
+        let (least, unit) = (0..=600).map(reach).min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+        for (part, yields) in [(0.999, false), (1.001, true)] {
+            let stress =
+                std::array::from_fn(|n| pressure[n] + if n < 3 { part * least * unit[n] } else { 0.0 });
+            assert_eq!(law.may_yield(stress, &Point::default()), yields, "{} {part}", s.name);
+        }
+    }
+    let cut = MohrCoulomb::new(elastic(), 0.5, 0.0, 1e5, 1e4);
+    for (part, yields) in [(0.999, false), (1.001, true)] {
+        assert_eq!(cut.may_yield([part * 1e4, -2e4, -2e4, 0.0, 0.0, 0.0], &Point::default()), yields);
+        assert_eq!(
+            cut.may_yield([part * 1e4, part * 1e4, part * 1e4, 0.0, 0.0, 0.0], &Point::default()),
+            yields
+        );
+    }
+}
+
+#[test]
+fn dissipation_is_least_where_the_circle_is_farthest_outside_the_hexagon() {
+    // Half way along a side of Tresca's hexagon, where its radius is √3/2 of that of the circle.
+    for s in &SAMPLES {
+        let (phi, psi) = (s.friction.to_radians(), s.dilation.to_radians());
+        let law = smooth(s, Eccentricity { meridional: 0.1, deviatoric: 1.0 });
+        let ratio = if s.friction > 0.0 { psi.tan() / phi.tan() } else { 0.0 };
+        let exact = (3.0 - phi.sin()) / (2.0 * (3.0 + phi.sin().powi(2)).sqrt()) - ratio;
+        assert!((law.least_dissipation() - exact).abs() < 1e-4, "{}: {exact}", s.name);
+    }
+    let usual = Eccentricity::usual(30_f64.to_radians());
+    assert!(usual.meridional == 0.1 && (usual.deviatoric - 5.0 / 7.0).abs() < 1e-15);
+}
+
+#[test]
+fn only_soil_without_friction_has_an_undrained_strength() {
+    assert_eq!(MohrCoulomb::tresca(elastic(), 2e4).undrained_strength(), Some(2e4));
+    assert_eq!(surface(&SAMPLES[3]).undrained_strength(), None);
+}

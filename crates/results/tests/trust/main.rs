@@ -1,11 +1,12 @@
 //! The grade of a run: each check reports a problem when, and only when, it should.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
-use coulter::case::{self, Case};
-use coulter::history::reference::Reference;
-use coulter::history::{BodySample, BoundarySample, EnergySample, History};
-use coulter::simulation::Simulation;
-use coulter::trust::{Setting, Trust, Verdict};
+mod figures;
+
+use case::Case;
+use results::history::reference::Reference;
+use results::history::{BodySample, BoundarySample, EnergySample, History};
+use results::trust::{Check, Setting, Trust, Verdict, documentation};
 
 /// The shipped tow on cells fine enough for its sinkage.
 fn tow(overrides: &[&str]) -> Case {
@@ -102,7 +103,7 @@ fn energy_volume_and_leak_are_judged_relatively() {
 }
 
 /// The checks of this name of a history with these facts.
-fn check(setting: &Setting, history: &History, name: &str) -> Vec<coulter::trust::Check> {
+fn check(setting: &Setting, history: &History, name: &str) -> Vec<Check> {
     let case = tow(&[]);
     let trust = Trust::grade(setting, history, &Reference::all(&case), case.output.steady_fraction, None);
     trust.checks.into_iter().filter(|check| check.name == name).collect()
@@ -376,41 +377,6 @@ fn a_run_that_was_stopped_is_broken_and_says_why() {
     assert!(trust.concerns()[0].line().contains("completed") && trust.concerns()[0].advice.contains(why));
 }
 
-/// Sinkage was measured from z = 0, wherever the surface was.
-#[test]
-fn sinkage_is_measured_from_the_soils_own_surface() {
-    let shift = [
-        "ground.surface=\"0.05 m\"",
-        "domain.z=[\"-0.2 m\", \"0.125 m\"]",
-        "grid.fine_z=[\"-0.15 m\", \"0.125 m\"]",
-    ];
-    let coarse = ["grid.cell=\"25 mm\"", "body.disc.sinkage=\"10 mm\""];
-    let run = |more: &[&str]| {
-        let mut simulation = Simulation::<f64>::new(&tow(&[&coarse, more].concat()));
-        (0..5).for_each(|_| simulation.advance().unwrap());
-        *simulation.history.bodies[0].last().unwrap()
-    };
-    let (level, raised) = (run(&[]), run(&shift));
-    assert!((level.sinkage - 0.01).abs() < 2e-3, "{}", level.sinkage);
-    assert!((raised.sinkage - level.sinkage).abs() < 1e-6, "{} and {}", raised.sinkage, level.sinkage);
-    assert!((raised.embedded_volume / level.embedded_volume - 1.0).abs() < 1e-6);
-}
-
-/// The torques of both halves cancel where x = 0 is a plane of symmetry.
-#[test]
-fn a_plane_of_symmetry_across_the_tow_leaves_no_torque() {
-    let case = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\n\
-        young_modulus = '5 MPa'\n[domain]\nsymmetric = true\nsymmetric_x = true\n[grid]\ncell = '25 mm'\n\
-        [body.disc]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness = '0.1 m'\nfriction = 0.3\nsinkage = '10 mm'\n\
-        heave = { speed = '-0.1 m/s' }\n[run]\nduration = '0.5 s'\n[output]\nhistory_interval = '4 ms'\n";
-    let case = case::parse(case, "disc.toml", &[]).unwrap();
-    let mut simulation = Simulation::<f64>::new(&case);
-    (0..20).for_each(|_| simulation.advance().unwrap());
-    let samples = &simulation.history.bodies[0];
-    assert!(samples.iter().any(|s| s.vertical > 1.0), "the disc must stand on the soil");
-    assert!(samples.iter().all(|s| s.axle_torque == 0.0 && s.drag == 0.0));
-}
-
 /// Without a tow nothing else asks how many samples the steady means rest on.
 #[test]
 fn too_few_samples_are_doubted_of_a_pressed_body_as_of_a_towed_one() {
@@ -439,7 +405,7 @@ fn the_documented_limits_are_up_to_date() {
     let shipped = std::fs::read_to_string(&path).unwrap();
     let (before, rest) = shipped.split_once(BEGIN).expect("the mark is gone");
     let (_, after) = rest.split_once(END).expect("the mark is gone");
-    let expected = format!("{before}{BEGIN}{}{END}{after}", coulter::trust::documentation::table());
+    let expected = format!("{before}{BEGIN}{}{END}{after}", documentation::table());
     if std::env::var_os("COULTER_UPDATE").is_some() {
         std::fs::write(&path, &expected).unwrap();
     }
