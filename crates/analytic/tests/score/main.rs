@@ -1,10 +1,10 @@
 //! Which of the full friction angle, Davis' angle and 3D-RFT to believe when: scores beside measurements and
 //! the solver.
 //!
-//! `scripts/forecast_score` prints the tables; they stand in docs/how-to/forecast.md, and this test fails where
-//! they are not up to date (`COULTER_UPDATE=1` rewrites them). Parameters of the measured sand are fixed before
-//! any row of the wheel: γ as measured; φ in two ways, the angle of repose and the angle that fits the plate
-//! best; μ assumed.
+//! `scripts/forecast_score` prints the tables; they stand in docs/how-to/forecast.md, and this test fails
+//! where they are not up to date (`COULTER_UPDATE=1` rewrites them). Parameters of the measured sand are
+//! fixed before any row of the wheel: γ as measured; φ in two ways, the angle of repose and the angle that
+//! fits the plate best; μ assumed.
 #![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
 
 mod rows;
