@@ -7,6 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from sphinxcontrib import katex
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 
@@ -30,6 +32,8 @@ highlight_language = "none"
 suppress_warnings = ["misc.highlighting_failure"]
 
 katex_prerender = True
+# On a machine that is busy with other things [s].
+katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = 60.0
 katex_css_path = "katex.min.css"
 katex_options = "throwOnError: true, strict: false"
 
