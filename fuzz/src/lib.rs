@@ -66,14 +66,14 @@ pub fn run_small(top: &Path, start: Start, stops: bool) -> Result<End, RunError>
         typed: CASE,
         communicator: alone,
     };
-    run_followed(case, &options, if stops { &mut Stopping } else { &mut NoFollower })
+    if stops { run_followed(case, &options, &mut Stopping) } else { run_followed(case, &options, &mut NoFollower) }
 }
 
 struct Stopping;
 
 impl Follower for Stopping {
     fn sampled(&mut self, _: &History) -> Next {
-        Next::Stop
+        Next::Stop("as the target asks".to_owned())
     }
 }
 

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-CRATES = "numerics geometry physics mechanics solver machine analytic input case results report coulter studies verification cli python".split()
+CRATES = re.findall(r'^    "crates/(\w+)",$', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.M)
 
 
 def purpose(path):

@@ -22,13 +22,13 @@ const TRIAL_TIME: Duration = Duration::from_millis(100);
 const MOST_POINTS: f64 = 2e5;
 /// Sinkage in the trial of a free body that its weight does not press in, over its height (chosen).
 const SINKAGE: f64 = 0.1;
-/// Cost of the steps of a run over that of the trial with moving bodies: a run begins gently. Measured on the
-/// shipped cases (`scripts/speed/run_times.py`).
+/// Cost of the steps of a run over that of the trial with moving bodies: a run begins gently. Chosen after a
+/// look at the times of the shipped cases (`scripts/speed/run_times.py`).
 const STEPS_OF_A_RUN: f64 = 0.95;
-/// Part of the time of several threads in which they compute: two were 1.5 times as fast as one where contact
-/// takes half of the time, and up to 1.9 times.
+/// Processor time over wall-clock time and threads: for two threads it was 1.5 to 1.9 over 2 in the shipped
+/// cases, the least where contact takes most.
 const EFFICIENCY: f64 = 0.83;
-/// Time for the report [s], and per cell of a field file [s]; measured.
+/// Time for the report [s], between 0.6 and 1.5 on two machines, and per cell of a field file [s]; measured.
 const WRITING: [f64; 2] = [1.2, 1.3e-6];
 
 /// Wall-clock time of a run of the case on this machine [s]; `None` if the first step fails.

@@ -28,7 +28,7 @@ pub(super) struct Arguments {
     /// Fail unless exactly the rows in validation/expected_failures.toml fail
     #[arg(long)]
     strict: bool,
-    /// Write the table into README.md and docs/reference/verification.md of the current folder
+    /// Write the figures into README.md, docs/reference/verification.md and docs/data of the current folder
     #[arg(long)]
     write: bool,
     /// Sets a key in every case that is run from a case file, such as numerics.contact=impulse; may be
