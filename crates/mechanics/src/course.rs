@@ -138,6 +138,12 @@ impl Course {
         self.speeds.iter().map(|speed| speed.abs()).chain(middles).fold(0.0, f64::max)
     }
 
+    /// Whether there are as many of everything and times do not fall; of one that was read they may.
+    pub(crate) fn is_sound(&self) -> bool {
+        let count = self.times.len();
+        count >= 2 && [self.displacements.len(), self.speeds.len()] == [count; 2] && self.times.is_sorted()
+    }
+
     /// The piece at a time: the number of its first point, its duration [s], and where in it the time is, 0
     /// to 1.
     fn piece(&self, time: f64) -> Option<(usize, f64, f64)> {

@@ -66,6 +66,12 @@ impl Motion {
         matches!(self, Self::Free { .. })
     }
 
+    /// Whether a motion that was read from a checkpoint has what it takes.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        if let Self::Course(course) = self { course.is_sound() } else { true }
+    }
+
     /// Prescribed speed at a time [s], in [m/s or rad/s]; 0 unless prescribed.
     #[must_use]
     pub fn speed(&self, time: f64) -> f64 {

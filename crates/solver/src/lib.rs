@@ -15,6 +15,7 @@ pub mod energy;
 pub mod error;
 pub mod exact_sum;
 pub mod fields;
+mod fit;
 pub mod footprint;
 mod ghosts;
 pub mod grid;

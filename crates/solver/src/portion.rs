@@ -91,15 +91,21 @@ impl<R: Scalar> State<R> {
 }
 
 impl<R> Portion<R> {
-    /// Whether its arrays have as many entries as its layers have cells and nodes: one that was read may not.
+    /// Whether its layers are some of the whole grid, and its arrays those of a state, with as many entries
+    /// as the layers have cells and nodes: one that was read may be otherwise.
     #[must_use]
-    pub fn is_consistent(&self) -> bool {
-        let count = |beyond: usize| -> Option<usize> {
-            let lengths = self.layers.iter().map(|own| own.len() + beyond);
-            lengths.into_iter().try_fold(1_usize, usize::checked_mul)
+    pub fn is_of(&self, state: &State<R>, grid: &Grid) -> bool {
+        let mut layers = self.layers.iter().zip(grid.whole_cells());
+        let is_within = layers.all(|(own, all)| own.start < own.end && own.end <= all);
+        let all = |arrays: &[Vec<R>], beyond: usize| {
+            let count: usize = self.layers.iter().map(|own| own.len() + beyond).product();
+            arrays.iter().all(|array| array.len() == count)
         };
-        let all = |arrays: &[Vec<R>], beyond| arrays.iter().all(|array| Some(array.len()) == count(beyond));
-        all(&self.cells, 0) && all(&self.nodes, 1)
+        is_within
+            && [self.cells.len(), self.nodes.len()]
+                == [state.soil.arrays().count(), state.nodes.arrays().count()]
+            && all(&self.cells, 0)
+            && all(&self.nodes, 1)
     }
 
     /// Starts of the rows of some of its layers in its own arrays.
@@ -138,5 +144,46 @@ impl<R: Scalar> Portion<R> {
         let cells = (0..cells).map(|_| take(0)).collect();
         let nodes = (0..nodes).map(|_| take(1)).collect();
         Self { layers, cells, nodes }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fields::{Kinds, Nodes, Soil};
+    use crate::state::{EnergyBalance, MechanismState};
+    use glam::DVec3;
+
+    #[test]
+    fn a_portion_of_other_layers_or_arrays_is_none_of_the_state() {
+        let grid = Grid::new([1, 2, 3].map(|cells| (0..=cells).map(f64::from).collect()));
+        let mut state = State::<f64> {
+            time: 0.0,
+            step: 0,
+            grid_position: DVec3::ZERO,
+            soil: Soil::empty(&grid, 2, Kinds::default()),
+            nodes: Nodes::at_rest(&grid),
+            bodies: Vec::new(),
+            mechanism: MechanismState::default(),
+            contacts: Vec::new(),
+            remaps: 0,
+            energy_balance: EnergyBalance::default(),
+        };
+        let sound = state.portion(&grid, [0..1, 0..2, 1..3]);
+        assert!(sound.is_of(&state, &grid));
+        state.put(&grid, &sound);
+        let harms: [fn(&mut Portion<f64>); 6] = [
+            |portion| portion.layers[1] = 0..usize::MAX,
+            |portion| portion.layers[1] = 0..3,
+            |portion| portion.layers[1] = Range { start: 2, end: 0 },
+            |portion| drop(portion.cells.pop()),
+            |portion| portion.nodes.clear(),
+            |portion| drop(portion.nodes[0].pop()),
+        ];
+        for (n, harm) in harms.into_iter().enumerate() {
+            let mut harmed = sound.clone();
+            harm(&mut harmed);
+            assert!(!harmed.is_of(&state, &grid), "{n}");
+        }
     }
 }

@@ -7,12 +7,14 @@ use crate::output::overlays;
 use crate::simulation::Simulation;
 use case::Case;
 use case::case_text;
+use case::model::model;
 use report::{Results, Summary};
 use results::OutputError;
 use results::checkpoint::{self, Checkpoint};
 use results::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
 use results::vtk::FieldSeries;
 use solver::grid::Grid;
+use solver::model::Model;
 use solver::precision::Precision;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -103,7 +105,16 @@ fn read_checkpoint<R: Precision>(
     processes: &mut Processes,
 ) -> Result<(Checkpoint<R>, Option<String>), RunError> {
     let folder = options.folder;
-    let mut all = |read: Result<Checkpoint<R>, OutputError>| match read {
+    let (text, model) = (case_text(case), Model { grid: grid.clone(), ..model(case, R::LANES) });
+    let whole = |checkpoint: Checkpoint<R>| {
+        // That of another case is whole, and is refused as such.
+        if checkpoint.case != text || checkpoint.is_of(case, &model) {
+            return Ok(checkpoint);
+        }
+        let what = "it does not hold what a checkpoint of its case holds";
+        Err(OutputError::content(&checkpoint::path(folder), what))
+    };
+    let mut all = |read: Result<Checkpoint<R>, OutputError>| match read.and_then(whole) {
         Ok(_) if processes.is_anyone(false) => {
             Err(OutputError::content(&checkpoint::path(folder), "another process cannot read its portion"))
         }
@@ -120,7 +131,7 @@ fn read_checkpoint<R: Precision>(
             Err(_) => return Err(last.into()),
         },
     };
-    if checkpoint.case != case_text(case) {
+    if checkpoint.case != text {
         return Err(RunError::OtherCase(folder.to_path_buf()));
     }
     Ok((checkpoint, damaged))

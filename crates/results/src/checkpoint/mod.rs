@@ -6,6 +6,7 @@
 //! becomes the one before. A kill at any time leaves one whole.
 
 mod contents;
+mod fit;
 mod layout;
 mod paths;
 mod read;

@@ -60,6 +60,10 @@ impl<R: Precision> Checkpoint<R> {
         }
         let mut checkpoint: Self = postcard::from_bytes(&plain).map_err(unreadable)?;
         drop(plain);
+        let entries = if checkpoint.portions.is_empty() { grid.uncut().entries } else { 1 };
+        if !checkpoint.state.has_entries(entries) {
+            return Err(broken("its soil is not that of the grid"));
+        }
         if checkpoint.portions.is_empty() {
             if !grid.is_whole() {
                 checkpoint.state = checkpoint.state.of_block(&grid.uncut(), grid);
@@ -79,7 +83,7 @@ impl<R: Precision> Checkpoint<R> {
             }
             let portion: Portion<R> =
                 postcard::from_bytes(&plain).map_err(|e| wrong(&format!("cannot be read: {e}")))?;
-            if portion.layers != named.layers || !portion.is_consistent() {
+            if portion.layers != named.layers || !portion.is_of(&checkpoint.state, grid) {
                 return Err(wrong("it does not hold what the checkpoint says"));
             }
             checkpoint.state.put(grid, &portion);
