@@ -25,7 +25,7 @@ struct Stopping;
 
 impl Follower for Stopping {
     fn sampled(&mut self, _: &History) -> Next {
-        Next::Stop
+        Next::Stop("for the test".into())
     }
 }
 

@@ -60,7 +60,7 @@ fuzz_target!(init: { stopped(); }, |data: &[u8]| {
         let _ = run_small(&top, Start::Resume, true);
     }
     if let Ok(portion) = postcard::from_bytes::<Portion<f64>>(data)
-        && portion.is_consistent()
+        && portion.is_of(state, &grids[0])
     {
         state.clone().put(&grids[0], &portion);
     }
