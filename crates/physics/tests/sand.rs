@@ -345,7 +345,18 @@ fn indices_and_ratios_are_those_of_their_definitions() {
     {
         assert!((law.peak_ratio(index) - peak).abs() < 1e-6, "{index}");
     }
-    // The shape of Sheng, Sloan and Yu in pure shear, whatever the axes.
+    let (point, peak) = mobilised(0.5, 1e4, 0.5, 1e4);
+    for (p, q, yields) in [(0.999, 0.998, false), (1.001, 0.9, true), (0.9, 0.901, true), (-0.1, 0.0, true)] {
+        let stress = triaxial(p * 1e4, q * 0.5 * peak * 1e4);
+        assert_eq!(law.may_yield(stress, &point), yields, "{p} {q}");
+        assert_eq!(law.energy(stress), law.stiffening.energy(elastic(), stress));
+    }
+}
+
+#[test]
+fn the_shape_of_the_surface_does_not_depend_on_the_axes() {
+    let law = sand();
+    // The shape of Sheng, Sloan and Yu in pure shear.
     let fourth = ((3.0 - CRITICAL.to_radians().sin()) / (3.0 + CRITICAL.to_radians().sin())).powi(4);
     let exact = (2.0 * fourth / (1.0 + fourth)).powf(0.25);
     for stress in [
@@ -362,10 +373,14 @@ fn indices_and_ratios_are_those_of_their_definitions() {
     // All components equal: uniaxial, here tension, at an angle to all axes.
     let [_, q, shape] = law.invariants([0.0, 0.0, 0.0, 1e3, 1e3, 1e3]);
     assert!((q - 3e3).abs() < 1e-9 && (shape - fourth.powf(0.25)).abs() < 1e-12);
-    let (point, peak) = mobilised(0.5, 1e4, 0.5, 1e4);
-    for (p, q, yields) in [(0.999, 0.998, false), (1.001, 0.9, true), (0.9, 0.901, true), (-0.1, 0.0, true)] {
-        let stress = triaxial(p * 1e4, q * 0.5 * peak * 1e4);
-        assert_eq!(law.may_yield(stress, &point), yields, "{p} {q}");
-        assert_eq!(law.energy(stress), law.stiffening.energy(elastic(), stress));
+    for n in [[1.0, 2.0, 2.0], [2.0, -1.0, 2.0], [-2.0, 2.0, 1.0]].map(|n| n.map(|x: f64| x / 3.0)) {
+        for (q, exact) in [(-1e3, 1.0), (1e3, fourth.powf(0.25))] {
+            let normal = n.map(|x| q * (x * x - 1.0 / 3.0) - 2e3);
+            let sheared = [n[0] * n[1], n[1] * n[2], n[0] * n[2]].map(|product| q * product);
+            let [p, found, shape] =
+                law.invariants([normal[0], normal[1], normal[2], sheared[0], sheared[1], sheared[2]]);
+            assert!((p - 2e3).abs() < 1e-9 && (found - q.abs()).abs() < 1e-9);
+            assert!((shape - exact).abs() < 1e-12, "{n:?} {q}: {shape}");
+        }
     }
 }
