@@ -97,12 +97,12 @@ pub fn files(top: &Path) -> Files {
     found
 }
 
-/// Makes a folder of these files alone; `others` stand for those of the same names.
-pub fn lay(top: &Path, files: &Files, others: &BTreeMap<&str, &[u8]>) {
+/// Makes a folder of these files alone, one of them with another content.
+pub fn lay(top: &Path, files: &Files, (changed, other): (&str, &[u8])) {
     let _ = fs::remove_dir_all(top);
     for (name, content) in files {
         let path = top.join(name);
         fs::create_dir_all(path.parent().expect("it is in a folder")).expect("the folder can be made");
-        fs::write(path, others.get(name.as_str()).unwrap_or(&&content[..])).expect("it can be written");
+        fs::write(path, if name == changed { other } else { content }).expect("it can be written");
     }
 }

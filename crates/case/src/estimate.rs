@@ -15,6 +15,8 @@ use std::f64::consts::FRAC_PI_4;
 /// The program itself, its libraries and its input [bytes]; measured on Linux: what `coulter check` takes for
 /// a small case.
 const PROGRAM: f64 = 14.0e6;
+/// Sinkage of a free body that its weight does not press in, over its height (chosen).
+const SINKAGE: f64 = 0.1;
 
 /// Memory of a run [bytes].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -131,24 +133,24 @@ pub fn most_contact_points(case: &Case) -> Option<(String, f64)> {
     points.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Sinkage [m] at which the soil of a case would bear a body under its own weight, for estimates of a run; at
-/// most its height. `None` for a body that does not sink freely.
+/// Sinkage [m] at which the soil of a case would bear a body that is free to sink, for estimates of a run; at
+/// most its height.
 #[must_use]
-pub fn expected_sinkage(case: &Case, body: &Body) -> Option<f64> {
-    grid::rest(body, grid::is_towed(body, case.duration), &case.soil, case.gravity)
+pub fn expected_sinkage(case: &Case, body: &Body) -> f64 {
+    let rest = grid::rest(body, grid::is_towed(body, case.duration), &case.soil, case.gravity);
+    rest.unwrap_or(SINKAGE * body.size().z)
 }
 
-/// Estimated displacement of a body at the end [m]: one that is free to sink is assumed to do so by a tenth
-/// of its height.
-fn moved(body: &Body, duration: f64) -> DVec3 {
-    let [x, y, z] = body.guided().translation.each_ref().map(|freedom| travel(freedom, duration));
-    let sunk = if body.guided().translation[2].is_free() { -0.1 * body.size().z } else { z };
-    DVec3::new(x, y, sunk)
+/// Estimated displacement of a body at the end [m].
+fn moved(case: &Case, body: &Body) -> DVec3 {
+    let guide = body.guided().translation;
+    let [x, y, z] = guide.each_ref().map(|freedom| travel(freedom, case.duration));
+    DVec3::new(x, y, if guide[2].is_free() { -expected_sinkage(case, body) } else { z })
 }
 
 fn footprint(case: &Case) -> Footprint {
     let threads = machine::cores::threads(case.numerics.threads);
-    let moved: Vec<DVec3> = case.bodies.iter().map(|body| moved(body, case.duration)).collect();
+    let moved: Vec<DVec3> = case.bodies.iter().map(|body| moved(case, body)).collect();
     match case.numerics.precision {
         Precision::Double => footprint::footprint::<f64>(&model(case, f64::LANES), threads, &moved),
         Precision::Single => footprint::footprint::<f32>(&model(case, f32::LANES), threads, &moved),

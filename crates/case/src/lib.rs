@@ -61,6 +61,7 @@ mod values;
 mod water;
 
 pub use advice::advice;
+pub use advice::inertia::{Inertia, inertia};
 pub use closed_box::ClosedBox;
 pub use format::FORMAT;
 pub use input::height_file::HeightFile;

@@ -20,8 +20,6 @@ const TRIALS: usize = 9;
 const TRIAL_TIME: Duration = Duration::from_millis(100);
 /// Most contact points of the body in it; what they cost is little beside the soil.
 const MOST_POINTS: f64 = 2e5;
-/// Sinkage in the trial of a free body that its weight does not press in, over its height (chosen).
-const SINKAGE: f64 = 0.1;
 /// Cost of the steps of a run over that of the trial with moving bodies: a run begins gently. Chosen after a
 /// look at the times of the shipped cases (`scripts/speed/run_times.py`).
 const STEPS_OF_A_RUN: f64 = 0.95;
@@ -52,11 +50,8 @@ fn in_motion(case: &Case) -> Option<Case> {
             (body.translation, body.rotation) = ([x, y, z], [yaw, tilt, spin]);
         }
         let heave = &body.translation[2];
-        let sunk = if heave.is_free() {
-            -expected_sinkage(case, body).unwrap_or(SINKAGE * body.size().z)
-        } else {
-            0.5 * travel(heave, case.duration)
-        };
+        let sunk =
+            if heave.is_free() { -expected_sinkage(case, body) } else { 0.5 * travel(heave, case.duration) };
         lowered = lowered.min(sunk);
         for motion in body.translation.iter_mut().chain(&mut body.rotation) {
             *motion = at_full_speed(motion, case.duration);

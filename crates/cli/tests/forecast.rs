@@ -114,6 +114,15 @@ fn a_sideways_tow_has_its_direction_and_a_sideways_load_is_refused() {
 }
 
 #[test]
+fn a_tow_in_which_inertia_counts_is_said_to_be_one() {
+    let remarks = |speed: &str| {
+        json(&["--set", &format!("body.disc.forward={{ speed = \"{speed}\" }}")])["remarks"].to_string()
+    };
+    assert!(remarks("2 m/s").contains("inertia"), "{}", remarks("2 m/s"));
+    assert!(!remarks("0.1 m/s").contains("inertia"), "{}", remarks("0.1 m/s"));
+}
+
+#[test]
 fn the_axle_and_the_heave_are_understood() {
     assert_eq!(json(&["--set", "body.disc.spin=\"locked\""])["drive"]["kind"], "locked");
     let rotated = json(&["--set", "body.disc.spin={ speed = \"1 rad/s\" }"]);

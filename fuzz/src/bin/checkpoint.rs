@@ -10,7 +10,6 @@ use libfuzzer_sys::fuzz_target;
 use solver::grid::{Grid, LANES};
 use solver::portion::Portion;
 use solver::state::State;
-use std::collections::BTreeMap;
 use std::sync::OnceLock;
 use xxhash_rust::xxh3::xxh3_64;
 
@@ -55,7 +54,7 @@ fuzz_target!(init: { stopped(); }, |data: &[u8]| {
     let head = &files[LAST][..ENDS[0]];
     let record = [head, &packed, &xxh3_64(&packed).to_le_bytes()].concat();
     for content in [data, &record] {
-        lay(&top, files, &BTreeMap::from([(LAST, content)]));
+        lay(&top, files, (LAST, content));
         let _ = Checkpoint::<f64>::read_last(&top, &grids[1]);
         let _ = run_small(&top, Start::Resume, true);
     }

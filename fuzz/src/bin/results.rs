@@ -1,5 +1,5 @@
-//! The folder of a run and that of a study: a sound one, some of whose files are replaced. An input is a
-//! list of these: a line `@@NAME`, then the content.
+//! The folder of a run, and of a study in it: a sound one, but for the file whose number is the first byte
+//! of an input; the rest is its content.
 #![no_main]
 
 use coulter::output::folder::{Contents, clear, inspect};
@@ -8,7 +8,6 @@ use coulter::output::{Summary, rebuild_report};
 use coulter::run::Start;
 use coulter_fuzz::{CASE, Files, file, files, folder, lay, run_small, seed};
 use libfuzzer_sys::fuzz_target;
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -31,23 +30,11 @@ fn sound() -> &'static Files {
         Store::create(&top.join("study"), &study, STUDY, &lines).expect("it can be written");
         let mut files = files(&top);
         files.retain(|name, _| !name.starts_with("checkpoints"));
-        for (n, (name, content)) in files.iter().enumerate() {
-            seed(&n.to_string(), &[format!("@@{name}\n").as_bytes(), content].concat());
+        for (n, content) in files.values().enumerate() {
+            seed(&n.to_string(), &[&[n as u8], &content[..]].concat());
         }
         files
     })
-}
-
-/// The files of an input that have names of the sound folder.
-fn sections(data: &[u8]) -> BTreeMap<&'static str, &[u8]> {
-    let starts: Vec<usize> = (0..data.len()).filter(|n| data[*n..].starts_with(b"@@")).collect();
-    let section = |n: usize| {
-        let section = &data[starts[n] + 2..starts.get(n + 1).copied().unwrap_or(data.len())];
-        let end = section.iter().position(|byte| *byte == b'\n')?;
-        let name = sound().keys().find(|name| name.as_bytes() == &section[..end])?;
-        Some((name.as_str(), &section[end + 1..]))
-    };
-    (0..starts.len()).filter_map(section).collect()
 }
 
 fn read_run(top: &Path) {
@@ -73,7 +60,9 @@ fn read_study(folder: &Path) {
 
 fuzz_target!(init: { sound(); }, |data: &[u8]| {
     let top = folder().join("run");
-    lay(&top, sound(), &sections(data));
+    let Some((number, content)) = data.split_first() else { return };
+    let Some(name) = sound().keys().nth(usize::from(*number)) else { return };
+    lay(&top, sound(), (name, content));
     let count = || fs::read_dir(folder()).into_iter().flatten().count();
     let before = count();
     read_run(&top);

@@ -2,14 +2,21 @@
 #![no_main]
 
 use coulter::case::CaseError;
-use coulter_fuzz::{file, show};
+use coulter_fuzz::{file, seed, show};
 use input::motion_table;
 use input::table_file::TableFile;
 use libfuzzer_sys::fuzz_target;
 use studies::measured;
-use studies::table::{Role, from_csv, from_parquet};
+use studies::table::{Role, from_csv, from_parquet, to_parquet};
 
-fuzz_target!(|data: &[u8]| {
+/// A Parquet file, to begin from.
+fn parquet() {
+    let text = include_str!("../../corpus/table/study.csv");
+    let table = from_csv(text, |_| Role::Factor).expect("the table is sound");
+    seed("study.parquet", &to_parquet(&table).expect("it can be written"));
+}
+
+fuzz_target!(init: { parquet() }, |data: &[u8]| {
     if let Ok(table) = TableFile::read(data.to_vec()) {
         let all: Vec<usize> = (0..table.columns().len()).collect();
         let numbers = table.numbers(&all, "give a number");

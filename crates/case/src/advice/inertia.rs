@@ -11,28 +11,53 @@ use physics::elastic::Elastic;
 /// below the uncertainty due to grid and friction angle.
 const NOTABLE: f64 = 0.1;
 
+/// What the soil's inertia adds to the force on a body.
+#[derive(Clone, Copy, Debug)]
+pub struct Inertia {
+    /// Froude number v²/(g z).
+    pub froude: f64,
+    /// The depth z [m].
+    pub depth: f64,
+    /// What is added, over the force without it.
+    pub share: f64,
+}
+
 /// Whether the motion is slow enough to be quasi-static.
 pub(super) fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let speeds = body.guided().translation.each_ref().map(fastest);
-    let axis = (0..3).fold(0, |most, axis| if speeds[axis] > speeds[most] { axis } else { most });
-    let speed = speeds[axis];
-    let length = body_length(std::slice::from_ref(body));
-    // A body that enters the soil later is not in it yet: a tenth of its length is assumed.
-    let depth = deepest(body, &SoilConditions::of(case), case.duration).max(0.1 * length);
-    inertia(case, body, speed, depth, notes);
+    let (axis, speed, depth) = motion(case, body);
+    if let Some(Inertia { froude, depth, share }) = inertia(case, body) {
+        notes.push(format!(
+            "{}: Froude number v²/(g z) = {froude:.2} at z = {depth:.3} m: inertia will add some {:.0} % to the force; a \
+             slower motion reduces it.",
+            body.name,
+            100.0 * share
+        ));
+    }
     viscosity(case, body, speed, depth, case.grid.fine_cell()[axis], notes);
 }
 
-/// What the soil's inertia adds to the force. The ground carries the load of a body that is free to sink at
-/// any speed, so that inertia is compared with this load; for any other body it is compared with the passive
-/// thrust.
-fn inertia(case: &Case, body: &Body, speed: f64, depth: f64, notes: &mut Vec<String>) {
+/// Axis along which a body moves fastest, that speed [m/s] and its depth [m].
+fn motion(case: &Case, body: &Body) -> (usize, f64, f64) {
+    let speeds = body.guided().translation.each_ref().map(fastest);
+    let axis = (0..3).fold(0, |most, axis| if speeds[axis] > speeds[most] { axis } else { most });
+    let length = body_length(std::slice::from_ref(body));
+    // A body that enters the soil later is not in it yet: a tenth of its length is assumed.
+    let depth = deepest(body, &SoilConditions::of(case), case.duration).max(0.1 * length);
+    (axis, speeds[axis], depth)
+}
+
+/// What the soil's inertia adds to the force on a body, if it is more than a tenth. The ground carries the
+/// load of a body that is free to sink at any speed, so that inertia is compared with this load; for any
+/// other body it is compared with the passive thrust.
+#[must_use]
+pub fn inertia(case: &Case, body: &Body) -> Option<Inertia> {
+    let (_, speed, depth) = motion(case, body);
     if case.gravity <= 0.0 || case.soil.unit_weight <= 0.0 || speed <= 0.0 {
-        return;
+        return None;
     }
     let froude = analytic::froude(speed, case.gravity, depth);
     let added = analytic::inertia_pressure(case.soil.density, speed);
-    let ratio = match body.pressing_force(case.normal_weight(body)) {
+    let share = match body.pressing_force(case.normal_weight(body)) {
         Some(load) if load > 0.0 => {
             let across = TowDirection::of(case, body).width_across(body);
             added * depth * case.domain.width_of_body(across) / load
@@ -40,14 +65,7 @@ fn inertia(case: &Case, body: &Body, speed: f64, depth: f64, notes: &mut Vec<Str
         // Pressure due to the soil's weight grows from 0 at the surface: its mean is that at half the depth.
         _ => added / contact_pressure(case, 0.5 * depth),
     };
-    if ratio > NOTABLE {
-        notes.push(format!(
-            "{}: Froude number v²/(g z) = {froude:.2} at z = {depth:.3} m: inertia will add some {:.0} % to the force; a \
-             slower motion reduces it.",
-            body.name,
-            100.0 * ratio
-        ));
-    }
+    (share > NOTABLE).then_some(Inertia { froude, depth, share })
 }
 
 /// Typical contact pressure of soil failing round a body at this depth [Pa]; infinite for soil that does not

@@ -4,7 +4,7 @@
 mod base;
 mod closed_box;
 mod few_cells;
-mod inertia;
+pub(crate) mod inertia;
 mod motions;
 mod passive;
 mod relief;

@@ -84,7 +84,7 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     towing.elastic_modulus = Some(case.soil.young_modulus);
     (towing.poisson_ratio, towing.rest_pressure) = (case.soil.poisson_ratio, case.soil.k0);
     add_measured(&mut towing, &case.forecast, &mut remarks);
-    remarks.extend(unused_keys(&towing, kind));
+    remarks.extend(unused_keys(&towing, kind).into_iter().chain(inertia(case, first)));
     if case.gravity > 0.0 {
         towing.gravity = case.gravity;
     }
@@ -95,6 +95,17 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let bodies = bodies.iter().map(|b| b.name.clone()).collect();
     let mirrored = course == Course::TowedBackwards;
     Ok(ModelInput { bodies, kind, towing, mirrored, extra_load, remarks })
+}
+
+/// What is said of a motion so fast that inertia counts, which no closed form contains.
+fn inertia(case: &Case, body: &Towed) -> Option<String> {
+    let case::Inertia { froude, depth, share } = case::inertia(case, body)?;
+    Some(format!(
+        "`{}` moves at a Froude number v²/(g z) of {froude:.2} (z = {depth:.3} m): the soil's inertia, which no closed form \
+         contains, adds some {:.0} % to the force",
+        body.name,
+        100.0 * share
+    ))
 }
 
 /// Refuses ground that is not that of the closed forms: level, and of one uniform soil.
