@@ -22,7 +22,7 @@ const FIELDS: &[KeyOf<f64>] = &[
         .means("Run until every towed body has travelled this far."),
 ];
 
-/// The same without places.
+/// Keys of the run, without the places of their values.
 pub(crate) const KEYS: &[Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
 
 /// Reports a duration [s] that is none.

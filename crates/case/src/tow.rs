@@ -45,13 +45,13 @@ impl TowDirection {
         self.0
     }
 
-    /// Whether it is along x, forwards or backwards.
+    /// Whether the tow is along x, forwards or backwards.
     #[must_use]
     pub fn is_along_x(self) -> bool {
         self.0[1] == 0.0
     }
 
-    /// Whether it is rather along y.
+    /// Whether the tow is more along y than along x.
     #[must_use]
     pub fn is_lateral(self) -> bool {
         self.0[1].abs() > self.0[0].abs()
@@ -156,7 +156,7 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// Those of a body among cells of these widths along x, y and z [m].
+    /// Measures of a body among cells of these widths along x, y and z [m].
     pub fn of(case: &Case, body: &Body, cell: DVec3) -> Self {
         let is_turned = |angle: f64| angle.sin().abs() > angle.cos().abs() + SQUARE;
         let (low, high) = body.solid().bounds();

@@ -14,7 +14,8 @@ pub struct Facet {
     pub normal: [f64; 3],
     /// Area [m²].
     pub area: f64,
-    /// Half of its vertical extent [m], for facets that are only partly below the ground; 0 for a point.
+    /// Half of the vertical extent of the facet [m], for facets that are only partly below the ground; 0 for
+    /// a point.
     pub half_height: f64,
 }
 

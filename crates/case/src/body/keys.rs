@@ -102,5 +102,5 @@ fn bounded(number: &mut f64) -> Option<&mut f64> {
 
 const LISTS: &[&[Key]] = &[SHAPE, &declared::<_, { FIELDS.len() }>(FIELDS), MOTION];
 
-/// All of them: those of its shape first.
+/// All keys of a body: those of its shape first.
 pub(crate) const KEYS: &[Key] = &joined::<{ count(LISTS) }>(LISTS);

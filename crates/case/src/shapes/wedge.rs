@@ -26,7 +26,7 @@ impl Wedge {
         field("height", Place::Number(|wedge| &mut wedge.size.z)),
     ];
 
-    /// In plane strain it is as wide as the slab.
+    /// Reads a wedge; in plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         let width = widths::across(section, "width", WIDE, slab, problems);
         let [length, height] = ["length", "height"].map(|key| required(KEYS, section, key, problems));

@@ -24,7 +24,7 @@ pub struct Tresca {
     pub shear_strength: f64,
     /// Growth of the strength with depth k [Pa/m].
     pub gradient: f64,
-    /// What remoulding and rate do to it; `None` for nothing.
+    /// What remoulding and rate of shear do to the strength; `None` for nothing.
     pub softening: Option<ClaySoftening>,
 }
 
@@ -135,7 +135,7 @@ impl Tresca {
         Self { shear_strength: self.shear_strength + self.gradient * depth, ..self }
     }
 
-    /// Whether it is stronger the faster it is sheared.
+    /// Whether the clay is stronger the faster it is sheared.
     #[must_use]
     pub fn depends_on_rate(&self) -> bool {
         self.softening.is_some_and(|softening| softening.rate_strengthening > 0.0)
