@@ -66,7 +66,7 @@ impl Balance {
     /// Fraction of the time of a step that must be gained.
     const GAIN: f64 = 0.05;
 
-    /// That of a run which begins, or goes on, at a step.
+    /// The balance of a run which begins, or goes on, at a step.
     pub(crate) fn from(step: u64) -> Self {
         Self { next: step + Self::FIRST, interval: Self::FIRST, seconds: 0.0 }
     }

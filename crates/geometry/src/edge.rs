@@ -15,7 +15,7 @@ pub(super) struct Edge {
     pub(super) from: DVec2,
     /// Last point [m].
     pub(super) to: DVec2,
-    /// The circle that it follows; `None` if it is straight.
+    /// The circle that the edge follows; `None` if it is straight.
     arc: Option<Arc>,
 }
 
@@ -32,11 +32,11 @@ struct Arc {
 /// Where an edge is nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Foot {
-    /// At its first point.
+    /// At the first point of the edge.
     Start,
-    /// Between its ends.
+    /// Between the ends of the edge.
     Within,
-    /// At its last point.
+    /// At the last point of the edge.
     End,
 }
 
@@ -63,7 +63,7 @@ impl Edge {
         }
     }
 
-    /// Unit vector along it at a fraction of its length.
+    /// Unit vector along the edge at a fraction of its length.
     pub(super) fn tangent(&self, fraction: f64) -> DVec2 {
         match self.arc {
             None => (self.to - self.from).normalize_or_zero(),
@@ -76,8 +76,8 @@ impl Edge {
         -self.tangent(fraction).perp()
     }
 
-    /// Where it is nearest to a point, and the distance [m]: signed where that is between its ends, positive
-    /// to its right.
+    /// Where the edge is nearest to a point, and the distance [m]: signed where that is between its ends,
+    /// positive to its right.
     pub(super) fn nearest(&self, x: DVec2) -> (Foot, f64) {
         let within = match self.arc {
             None => {
@@ -175,7 +175,7 @@ impl Edge {
             .map_or_else(|| Self::line(ends[0], ends[1]), |arc| Self::arc(ends, flip(arc.centre), arc.turn))
     }
 
-    /// Whether it is another edge within a distance [m].
+    /// Whether the edge is another edge within a distance [m].
     pub(super) fn agrees(&self, other: &Self, tolerance: f64) -> bool {
         [0.0, 0.5, 1.0].iter().all(|fraction| self.at(*fraction).distance(other.at(*fraction)) <= tolerance)
     }

@@ -49,15 +49,15 @@ impl Relief {
             + self.furrows.map_or(0.0, |furrows| furrows.steepest())
     }
 
-    /// Whether it is the same everywhere along x (0) or y (1).
+    /// Whether the relief is the same everywhere along x (0) or y (1).
     #[must_use]
     pub fn is_uniform_along(&self, axis: usize) -> bool {
         self.map.as_ref().is_none_or(|map| map.is_uniform_along(axis))
             && self.furrows.is_none_or(|furrows| furrows.is_uniform_along(axis))
     }
 
-    /// Whether it is its own mirror image in the plane x = 0 (0) or y = 0 (1): a map only where it is uniform
-    /// along that axis.
+    /// Whether the relief is its own mirror image in the plane x = 0 (0) or y = 0 (1): a map only where it is
+    /// uniform along that axis.
     #[must_use]
     pub fn is_mirrored(&self, axis: usize) -> bool {
         self.map.as_ref().is_none_or(|map| map.is_uniform_along(axis))
@@ -98,7 +98,7 @@ impl HeightField {
         self.extremes([[f64::NEG_INFINITY, f64::INFINITY]; 2])
     }
 
-    /// Numbers of its lines across x and y.
+    /// Numbers of lines across x and y.
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
         [self.lines[0].len(), self.lines[1].len()]
@@ -179,7 +179,7 @@ pub struct Furrows {
     pub spacing: f64,
     /// Height of the crests above the troughs [m].
     pub depth: f64,
-    /// Direction across them, from crest to crest: a unit vector along x and y.
+    /// Direction across the furrows, from crest to crest: a unit vector along x and y.
     pub across: [f64; 2],
     /// Distance of a crest from x = y = 0 in this direction [m].
     pub offset: f64,
@@ -198,7 +198,7 @@ impl Furrows {
             }
     }
 
-    /// Tangent of their steepest slope.
+    /// Tangent of the steepest slope of the furrows.
     #[must_use]
     pub fn steepest(&self) -> f64 {
         let over_spacing = match self.shape {

@@ -39,7 +39,7 @@ struct State {
 }
 
 impl Teller {
-    /// Of the cases of a study, some of which may have an outcome already.
+    /// A teller of the cases of a study, some of which may have an outcome already.
     pub(super) fn of(shared: &Shared, lines: &[CaseLine], quiet: bool) -> Self {
         let had = shared.store.with_outcome().unwrap_or_default();
         let mut seen = BTreeSet::new();

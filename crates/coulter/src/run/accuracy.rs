@@ -30,7 +30,7 @@ const TRUSTED: i32 = 3;
 /// How accurate the figures of a run are to be.
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {
-    /// Half-widths of their intervals.
+    /// Half-widths of the intervals of the figures.
     pub wanted: Wanted,
     /// How long all runs may take together.
     pub budget: Budget,
@@ -85,7 +85,7 @@ enum Chosen {
 struct Explored {
     step: i32,
     variation: Variation,
-    /// Whether its run is not broken.
+    /// Whether the run on the mesh is not broken.
     is_usable: bool,
 }
 

@@ -17,9 +17,9 @@ use std::collections::VecDeque;
 /// How long the variations may take together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Budget {
-    /// So many times as long as the case's own run.
+    /// A multiple of the time of the case's own run.
     Times(f64),
-    /// So long, in seconds of wall clock.
+    /// Seconds of wall clock.
     Seconds(f64),
 }
 
@@ -45,7 +45,7 @@ impl Budget {
 pub struct Request<'a> {
     /// The variations.
     pub plan: &'a VariationPlan,
-    /// How long they may take; `None` for as long as they do.
+    /// How long the variations may take; `None` for as long as they do.
     pub budget: Option<Budget>,
 }
 

@@ -40,7 +40,7 @@ pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     run_followed(case, options, &mut NoFollower)
 }
 
-/// As [`run()`], with someone who is told of every sample and may end the run there.
+/// Runs a case as [`run()`] does, with a follower that receives every sample and may end the run there.
 ///
 /// # Errors
 /// As [`run()`].

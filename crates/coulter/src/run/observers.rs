@@ -98,7 +98,7 @@ pub(super) struct Checkpoints<'a> {
     interrupts: &'a Interrupts,
     /// Log and record, in the process that keeps them.
     books: Option<(&'a mut Log, &'a mut RunRecord)>,
-    /// When the last one was written.
+    /// When the last checkpoint was written.
     last: Instant,
 }
 

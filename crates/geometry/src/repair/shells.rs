@@ -11,7 +11,7 @@ use glam::DVec3;
 /// Most separate parts: which of them lies in which takes as much time as the square of their number.
 const MOST_SHELLS: usize = 2000;
 
-/// What was found, and done, to orient a surface everywhere.
+/// The surface once it is oriented everywhere, and what was found and done for that.
 pub(super) struct Oriented {
     pub(super) shells: usize,
     pub(super) cavities: usize,
