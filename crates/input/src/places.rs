@@ -30,7 +30,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// No entry yet, of a case file with this name and text.
+    /// The places of a case file with this name and text, without an entry yet.
     pub(super) fn new(name: &str, text: &str) -> Self {
         Self { sources: vec![source(name, text)], entries: BTreeMap::new() }
     }

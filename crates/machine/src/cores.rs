@@ -39,8 +39,8 @@ pub fn threads_by_default() -> Cores {
     Place::here(&variable).cores(&[OF_TASK, OPENMP])
 }
 
-/// Cores that this program may fill with runs side by side: the same without OpenMP's number, which is that
-/// of one run.
+/// Cores that this program may fill with runs side by side: without OpenMP's number, which is that of one
+/// run.
 #[must_use]
 pub fn cores() -> Cores {
     Place::here(&variable).cores(&[OF_TASK])
@@ -69,8 +69,8 @@ impl<'a> Place<'a> {
         Self { variable, own, together: together(own, mask("self"), launcher) }
     }
 
-    /// The first of these variables that is set, or this process's share; never more than it may use, as
-    /// threads that wait for each other on one core are slower than one.
+    /// The cores that the first of these variables asks for that is set, or this process's share; never more
+    /// than it may use, as threads that wait for each other on one core are slower than one.
     fn cores(&self, names: &[&str]) -> Cores {
         let mut notes = Vec::new();
         for name in names {
@@ -155,7 +155,7 @@ fn parent() -> Option<String> {
     Some(std::os::unix::process::parent_id().to_string())
 }
 
-/// Not known (untested).
+/// Nothing: the parent process is not known (untested).
 #[cfg(not(unix))]
 fn parent() -> Option<String> {
     None

@@ -201,7 +201,7 @@ impl Momentum {
     }
 }
 
-/// What changes of a body.
+/// The state of a body: what changes in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BodyState {
     /// Pose at the end of the last step.

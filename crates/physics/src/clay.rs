@@ -41,7 +41,7 @@ pub struct Clay {
 }
 
 impl Clay {
-    /// From the moduli and the parameters; the strength of the intact clay is that of each point.
+    /// A clay from its moduli and parameters; the strength of the intact clay is that of each point.
     #[must_use]
     pub fn new(elastic: Elastic, parameters: &ClayParameters) -> Self {
         Self {

@@ -16,7 +16,7 @@ pub struct Elastic {
 }
 
 impl Elastic {
-    /// From Young's modulus E > 0 [Pa] and Poisson's ratio −1 < ν < ½.
+    /// Elastic moduli from Young's modulus E > 0 [Pa] and Poisson's ratio −1 < ν < ½.
     #[must_use]
     pub fn new(young_modulus: Real, poisson_ratio: Real) -> Self {
         Self {

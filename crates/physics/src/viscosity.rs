@@ -28,7 +28,7 @@ pub struct BulkViscosity {
 }
 
 impl BulkViscosity {
-    /// From the dimensionless b₁ and b₂, density [kg/m³] and wave speed [m/s].
+    /// Bulk viscosity from the dimensionless b₁ and b₂, density [kg/m³] and wave speed [m/s].
     #[must_use]
     pub fn new(b1: Real, b2: Real, density: Real, wave_speed: Real) -> Self {
         Self { linear: b1 * density * wave_speed, quadratic: b2 * b2 * density }

@@ -30,9 +30,9 @@ pub struct Results {
     dir: PathBuf,
     /// The histories.
     pub tables: HistoryFiles,
-    /// What happened when.
+    /// The log: what happened when.
     pub log: Log,
-    /// What identifies the folder, and how far the run is.
+    /// The record of the run: what identifies the folder, and how far the run is.
     pub record: RunRecord,
 }
 
@@ -256,7 +256,7 @@ pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
     rebuild_report_with(dir, ReportWishes::default())
 }
 
-/// As [`rebuild_report`], with what this report alone shows.
+/// Builds the report anew as [`rebuild_report`] does, with what this report alone shows.
 ///
 /// # Errors
 /// As [`rebuild_report`].

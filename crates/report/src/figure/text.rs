@@ -5,7 +5,7 @@ use super::label::{Piece, Script};
 
 /// Size of indices and exponents, over that of the line (chosen).
 const SCRIPT: f64 = 0.72;
-/// How far they are lowered and raised [em].
+/// How far indices are lowered and exponents raised [em].
 const LOW: f64 = 0.16;
 const HIGH: f64 = 0.36;
 /// Thickness of a bar above a letter, and its gap to it [em].

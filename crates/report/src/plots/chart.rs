@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 /// A chart of curves over two axes, linear by default. Labels may contain subscripts: `F_H`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// Title above it.
+    /// Title above the chart.
     pub title: String,
     /// Label of the x axis, with symbol and unit.
     pub x_label: String,

@@ -17,7 +17,8 @@ use results::history::{BodySample, History};
 use results::trust::{Check, Verdict};
 use serde::Serialize;
 
-/// How far an interval's middle may lie from the value, over its half-width, for it to be written with ±.
+/// Distance of an interval's middle from the value, over its half-width, up to which the value is written
+/// with ±.
 const LOPSIDED: f64 = 0.15;
 /// Turn ratios from here on are those of a driven body.
 const DRIVEN: f64 = 1.0;

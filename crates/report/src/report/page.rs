@@ -48,7 +48,7 @@ pub(crate) struct ReportText {
 pub struct ReportWishes {
     /// Curves of measurements and other runs, laid over the plots.
     pub laid_over: Vec<Overlay>,
-    /// What is to be said of them.
+    /// Remarks on these curves.
     pub remarks: Vec<String>,
     /// The units of the plots.
     pub units: Units,
@@ -73,7 +73,7 @@ struct BodySection {
     tiles: Vec<Tile>,
     /// The key numbers of this kind of motion.
     rows: Vec<TableRow>,
-    /// What else there is.
+    /// Further numbers.
     further: Vec<TableRow>,
     /// Whether any of the rows has an interval.
     has_intervals: bool,

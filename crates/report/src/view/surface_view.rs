@@ -49,9 +49,9 @@ struct ViewedBody {
     step: f64,
     points: String,
     triangles: String,
-    /// Of each time: the rotation row by row, and where the middle is [m].
+    /// Poses of the body by time: the rotation row by row, and where the middle is [m].
     poses: Vec<[f64; 12]>,
-    /// Whether it rotates.
+    /// Whether the body rotates.
     turns: bool,
 }
 
