@@ -23,11 +23,11 @@ pub enum PlotKind {
 pub struct Overlay {
     /// Name in the legend.
     pub name: String,
-    /// The plot it belongs to.
+    /// The plot that the overlay belongs to.
     pub plot: PlotKind,
-    /// The body it belongs to; `None` for all bodies.
+    /// The body that the overlay belongs to; `None` for all bodies.
     pub body: Option<String>,
-    /// Whether it was measured: then it is drawn as dots, not as a line.
+    /// Whether the overlay was measured: then it is drawn as dots, not as a line.
     #[serde(default)]
     pub measured: bool,
     /// Points in SI units. A single point is drawn as a level across the plot.
