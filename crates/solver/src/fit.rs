@@ -20,7 +20,7 @@ impl<R> State<R> {
         self.soil.composition.len() <= MOST_OTHERS && arrays.all(|array| array.len() == count)
     }
 
-    /// Whether this can be a state of a model.
+    /// Whether the state can be a state of a model.
     #[must_use]
     pub fn is_of(&self, model: &Model) -> bool {
         let kinds = model.kinds();

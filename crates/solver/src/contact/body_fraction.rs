@@ -97,7 +97,7 @@ fn top_of_soil<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
     faces[(highest + LAYERS_ABOVE_SOIL).min(faces.len() - 1)]
 }
 
-/// Those of some cells that a body occupies, wholly or in part: their indices in memory, and the volume
+/// The cells among some that a body occupies, wholly or in part: their indices in memory, and the volume
 /// fractions of the body.
 fn occupied<'a>(
     model: &'a Model,

@@ -44,9 +44,9 @@ type Begins<T> = Request<'static, [T], StaticScope>;
 
 /// Operations that have begun. Dropping it waits for them.
 struct Begun<T: 'static> {
-    /// Those that receive. Declared, and dropped, before the memory that they write.
+    /// Operations that receive. Declared, and dropped, before the memory that they write.
     receives: Vec<WaitGuard<'static, [T]>>,
-    /// Those that send. They may go on after all has been received: until then a process would wait for
+    /// Operations that send. These may go on after all has been received: until then a process would wait for
     /// others to receive what they do not need yet.
     sends: Vec<WaitGuard<'static, [T]>>,
     sent: Vec<Vec<T>>,
