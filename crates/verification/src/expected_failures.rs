@@ -19,7 +19,7 @@ pub struct ExpectedFailure {
     pub cases: Vec<String>,
     /// Quantities, as in the table.
     pub quantities: Vec<String>,
-    /// Why they fail.
+    /// Why the figures fail.
     pub reason: String,
 }
 
@@ -31,7 +31,7 @@ struct List {
 }
 
 impl ExpectedFailure {
-    /// Whether a row is one of these.
+    /// Whether a row is one of these failures.
     #[must_use]
     pub fn is_about(&self, row: &Row) -> bool {
         self.id == row.id

@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 
 /// Runs cases and collects the results.
 pub struct Runner<'a> {
-    /// What was asked for.
+    /// The options that were asked for.
     pub options: &'a SuiteOptions,
     /// The rows so far.
     pub rows: Vec<Row>,
@@ -63,7 +63,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// This runner for the study of convergence.
+    /// The runner for the study of convergence.
     pub(crate) fn refining(self) -> Self {
         Self { suite: Suite::Refine, ..self }
     }

@@ -21,7 +21,7 @@ const NEAR: f64 = 0.15;
 /// Samples of each chain while the design is refined.
 const QUICK: usize = 300;
 
-/// What the solver gave.
+/// The result of the solver.
 #[derive(Clone, Debug)]
 pub struct SolverStage {
     /// The calibration of the surrogate.

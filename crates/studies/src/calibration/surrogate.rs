@@ -50,7 +50,7 @@ fn inflation(process: &GaussianProcess, amounts: &[f64]) -> f64 {
 }
 
 impl Surrogate {
-    /// From curves, as residuals see them, at values of the unknowns.
+    /// A surrogate from curves, as residuals see them, at values of the unknowns.
     ///
     /// # Errors
     /// [`StatisticsError`] where there are too few, or none varies.

@@ -15,7 +15,7 @@ pub struct CaseLine {
     pub part: String,
     /// The case that is varied: its number in the list of the study.
     pub case: usize,
-    /// What is evaluated.
+    /// The model that is evaluated.
     pub model: ModelKind,
     /// Meshes from which the intervals of a run follow; `null` without intervals.
     pub meshes: Option<usize>,
@@ -38,6 +38,6 @@ pub struct FactorLevel {
     pub number: Option<f64>,
     /// The level as typed.
     pub shown: String,
-    /// Whether the part varies it.
+    /// Whether the part varies the factor.
     pub is_varied: bool,
 }

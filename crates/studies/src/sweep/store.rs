@@ -35,7 +35,7 @@ pub enum StudyError {
     Content {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// What is wrong with the file.
         problem: String,
     },
     /// The folder is of another version of the format.
@@ -74,7 +74,7 @@ pub struct Origin {
     pub format: u32,
     /// Name of the study.
     pub study: String,
-    /// Whether it is the quick version of it.
+    /// Whether this is the quick version of the study.
     pub quick: bool,
     /// The files of the cases, beside which the files lie that they name; their text is kept in the folder.
     pub cases: Vec<BaseCase>,
@@ -83,7 +83,7 @@ pub struct Origin {
 /// The folder of a study.
 #[derive(Clone, Debug)]
 pub struct Store {
-    /// Where it is.
+    /// Path of the folder.
     pub folder: PathBuf,
 }
 

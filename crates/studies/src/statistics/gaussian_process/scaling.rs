@@ -4,7 +4,8 @@ use super::super::StatisticsError;
 
 /// Points per coefficient from which on the trend is linear (chosen); with fewer it is a constant.
 const POINTS_PER_COEFFICIENT: usize = 3;
-/// What a column of the trend must have besides those before it, over its own size (chosen).
+/// Least size of the part of a column of the trend that does not follow from those before it, over the
+/// column's own size (chosen).
 const INDEPENDENT: f64 = 1e-6;
 
 /// How inputs and values are scaled: inputs to 0–1 over their range, values to mean 0 and deviation 1.
