@@ -20,7 +20,7 @@ pub struct Relief {
     /// Heights from a file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<HeightFile>,
-    /// Furrows, on top of these.
+    /// Furrows, on top of the heights of the map.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub furrows: Option<Furrows>,
 }

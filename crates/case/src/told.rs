@@ -219,7 +219,7 @@ fn legs(points: &[[f64; 2]]) -> Vec<Leg> {
     ends.windows(2).filter_map(|pair| leg(&points[pair[0]..=pair[1]], REST * range)).collect()
 }
 
-/// One part, from when it has left its first point to when it has reached its last.
+/// One leg, from when the motion has left its first point to when it has reached its last.
 fn leg(points: &[[f64; 2]], rest: f64) -> Option<Leg> {
     let (first, last) = (points.first()?[1], points.last()?[1]);
     let begins = points.iter().rfind(|point| (point[1] - first).abs() <= rest)?[0];

@@ -146,12 +146,12 @@ fn speed(motion: &Motion, duration: f64) -> f64 {
 /// What a body and the cells next to it measure along its tow, across it and upwards [m].
 #[derive(Clone, Copy, Debug)]
 pub struct Measures {
-    /// Extent of the body along its own axes: of what rolls along the level axis in which it does, of any
-    /// other along that which lies next to the tow first.
+    /// Extent of the body along its own axes: first along the level axis in which it rolls, or, where it does
+    /// not, along that nearest to the tow.
     pub extent: DVec3,
     /// Thickness of the body across the tow: of a dished disc less than its extent.
     pub thickness: f64,
-    /// Widths of the cells along these axes.
+    /// Widths of the cells along the axes of the body [m].
     pub cell: DVec3,
 }
 

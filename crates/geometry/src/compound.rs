@@ -21,7 +21,7 @@ pub struct Placed {
     pub rotation: DMat3,
 }
 
-/// A solid with a sphere round it, beyond which it need not be looked at.
+/// A solid with a sphere round it, beyond which the solid need not be looked at.
 #[derive(Debug)]
 struct Bounded {
     solid: Placed,
@@ -67,7 +67,7 @@ impl Compound {
         Self { parts: parts.into_iter().map(Bounded::new).collect(), solids }
     }
 
-    /// The solids that bound it.
+    /// The solids that bound the body.
     fn solids(&self) -> impl Iterator<Item = &Placed> {
         self.solids.iter().map(|bounded| &bounded.solid)
     }

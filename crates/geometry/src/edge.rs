@@ -55,7 +55,7 @@ impl Edge {
         self.arc.map_or_else(|| self.from.distance(self.to), |arc| arc.radius * arc.turn.abs())
     }
 
-    /// The point at a fraction of its length.
+    /// The point at a fraction of the length of the edge.
     pub(super) fn at(&self, fraction: f64) -> DVec2 {
         match self.arc {
             None => self.from.lerp(self.to, fraction),
@@ -71,7 +71,7 @@ impl Edge {
         }
     }
 
-    /// Outward unit normal, to its right, at a fraction of its length.
+    /// Outward unit normal, to the right of the edge, at a fraction of its length.
     pub(super) fn normal(&self, fraction: f64) -> DVec2 {
         -self.tangent(fraction).perp()
     }
@@ -125,7 +125,7 @@ impl Edge {
             .map(|arc| (arc.radius, arc.radius * (0.5 * arc.turn).tan()))
     }
 
-    /// Number of pieces into which it is divided for a mesh or an integral.
+    /// Number of pieces into which the edge is divided for a mesh or an integral.
     pub(super) fn pieces(&self) -> usize {
         self.arc.map_or(1, |arc| (arc.turn.abs() / PIECE * (1.0 - 1e-9)).ceil().max(1.0) as usize)
     }
@@ -143,8 +143,8 @@ impl Edge {
         }
     }
 
-    /// ∫ f(u, v) dv along it, by Gauss' rule of four points on each piece: exact for polynomials up to the
-    /// sixth degree on a line, and to rounding on an arc.
+    /// ∫ f(u, v) dv along the edge, by Gauss' rule of four points on each piece: exact for polynomials up to
+    /// the sixth degree on a line, and to rounding on an arc.
     pub(super) fn integral(&self, f: &impl Fn(DVec2) -> f64) -> f64 {
         const POINTS: [(f64, f64); 4] = [
             (-0.861_136_311_594_052_6, 0.347_854_845_137_453_9),

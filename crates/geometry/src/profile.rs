@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub struct Profile {
     begin: DVec2,
     edges: Vec<Edge>,
-    /// A box round each [`GROUP`] of its edges, so that the nearest edge of a long profile is found among
+    /// A box round each [`GROUP`] of the edges, so that the nearest edge of a long profile is found among
     /// few.
     boxes: Vec<Bounds>,
 }

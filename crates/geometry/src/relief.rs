@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub struct Relief {
     /// Heights that were measured.
     pub map: Option<Arc<HeightField>>,
-    /// Furrows on top of these.
+    /// Furrows on top of the heights of the map.
     pub furrows: Option<Furrows>,
 }
 
@@ -42,7 +42,7 @@ impl Relief {
         self.extremes([[f64::NEG_INFINITY, f64::INFINITY]; 2])
     }
 
-    /// Tangent of the steepest slope that it can have between two places.
+    /// Tangent of the steepest slope that the surface can have between two places.
     #[must_use]
     pub fn steepest(&self, within: [[f64; 2]; 2]) -> f64 {
         self.map.as_ref().map_or(0.0, |map| map.steepest(within))

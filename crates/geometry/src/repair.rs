@@ -34,7 +34,7 @@ const NO_VOLUME: f64 = 1e-9;
 pub struct Repaired {
     /// The solid.
     pub solid: Polyhedron,
-    /// Closed surfaces of which it consists, those of cavities included.
+    /// Closed surfaces of which the solid consists, those of cavities included.
     pub shells: usize,
     /// Closed surfaces that bound cavities.
     pub cavities: usize,

@@ -11,7 +11,7 @@ use std::{ops::Range, sync::Arc};
 pub struct TextSpan {
     /// Number of the text; 0 is the case file, the others are one `--set` each.
     pub source: usize,
-    /// Range of bytes in it.
+    /// Range of bytes in the text.
     pub span: Range<usize>,
 }
 

@@ -13,7 +13,7 @@ pub struct Measure {
     pub name: &'static str,
     /// Dimension of the measure.
     pub dimension: Dimension,
-    /// The unit in which it is shown: that of the SI, degrees for an angle.
+    /// Unit in which the quantity is shown: that of the SI, degrees for an angle.
     pub unit: &'static str,
     /// A value as one would write it.
     pub example: &'static str,

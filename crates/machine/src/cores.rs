@@ -57,7 +57,7 @@ struct Place<'a> {
     variable: &'a dyn Fn(&str) -> Option<String>,
     /// Cores that this process may use.
     own: usize,
-    /// Cores that all processes of its launcher may use together.
+    /// Cores that all processes of this process's launcher may use together.
     together: usize,
 }
 

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 pub struct Course {
     /// Times [s], rising.
     times: Vec<f64>,
-    /// Displacement at each of them [m or rad].
+    /// Displacement at each of the times [m or rad].
     displacements: Vec<f64>,
-    /// Speed at each of them [m/s or rad/s].
+    /// Speed at each of the times [m/s or rad/s].
     speeds: Vec<f64>,
 }
 

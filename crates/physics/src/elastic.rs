@@ -63,7 +63,7 @@ impl Elastic {
 /// they are constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffening {
-    /// Lowest pressure at which they change [Pa].
+    /// Lowest pressure at which the moduli change [Pa].
     pub least: Real,
     /// Pressure to which the moduli of the material refer, and at which they stop growing [Pa].
     pub most: Real,

@@ -144,7 +144,7 @@ impl Sand {
         }
     }
 
-    /// Density in the densest state that it is compacted to [kg/m³].
+    /// Density in the densest state that the sand is compacted to [kg/m³].
     #[must_use]
     pub fn densest(&self) -> Real {
         self.densest

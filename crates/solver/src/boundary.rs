@@ -121,7 +121,7 @@ impl Boundaries {
         contains(1, q) && contains(2, plane)
     }
 
-    /// The planes of symmetry among them.
+    /// The planes of symmetry among the boundaries.
     #[must_use]
     pub fn symmetry(&self) -> Symmetry {
         Symmetry { across: self.0.map(|pair| pair.contains(&Boundary::Symmetry)) }

@@ -150,7 +150,7 @@ pub struct Nodes<R = f64> {
 }
 
 impl<R> Soil<R> {
-    /// Kinds of materials that it has arrays for.
+    /// Kinds of materials that the soil has arrays for.
     #[must_use]
     pub fn kinds(&self) -> Kinds {
         let has = |kind| {
@@ -177,7 +177,7 @@ impl<R> Soil<R> {
         rest.map(|field| (Carrier::Volume, field)).chain(history)
     }
 
-    /// All arrays.
+    /// All arrays of the soil.
     pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {
         [&self.fraction, &self.mass, &self.apart].into_iter().chain(self.carried().map(|(_, field)| field))
     }
@@ -192,7 +192,7 @@ impl<R> Soil<R> {
         self.stress.iter_mut().chain(self.history.iter_mut().filter(|field| !field.is_empty()))
     }
 
-    /// All arrays, mutable.
+    /// All arrays of the soil, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         let Self { fraction, mass, apart, stress, history, composition } = self;
         let history = history.iter_mut().filter(|field| !field.is_empty());
@@ -238,12 +238,12 @@ pub(crate) fn mass_as_main<R: Copy + Into<f64>>(
 }
 
 impl<R> Nodes<R> {
-    /// All arrays.
+    /// All arrays of the nodes.
     pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {
         self.velocity.iter().chain(&self.displacement).chain([&self.mass])
     }
 
-    /// All arrays, mutable.
+    /// All arrays of the nodes, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         self.velocity.iter_mut().chain(&mut self.displacement).chain([&mut self.mass])
     }

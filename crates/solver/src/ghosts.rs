@@ -256,7 +256,7 @@ impl<R: Precision> Beyond<R> {
         }
     }
 
-    /// The elastic energy that it has taken up since then [J].
+    /// Elastic energy that the ground has taken up since it was at rest [J].
     pub(crate) fn taken_up(&self, model: &Model, soil: &Soil<R>) -> ExactSum {
         let mut sum = ExactSum::default();
         for (n, (c, volume)) in self.cells.iter().enumerate() {

@@ -142,7 +142,7 @@ fn of_axle(axle: DVec3) -> DQuat {
 pub struct RimBin {
     /// Middle of the bin: the mean of its samples.
     pub middle: RimPoint,
-    /// Area of the modelled portion of its surface [m²]; 0 outside the grid.
+    /// Area of the modelled portion of the bin's surface [m²]; 0 outside the grid.
     pub area: f64,
 }
 
@@ -402,7 +402,7 @@ pub struct SoilBody {
     position: DVec3,
     /// Rotation from the axes of space to those of the shape.
     to_shape: DQuat,
-    /// Corners of the box round it [m].
+    /// Corners of the box round the body [m].
     pub bounds: [DVec3; 2],
     /// Number of the material of the body.
     pub material: usize,

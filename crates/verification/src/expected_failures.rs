@@ -1,7 +1,7 @@
 //! The rows that are expected to fail, each with its reason.
 //!
-//! They stand in one file. A row that fails without being listed, and one that is listed but passes, are both
-//! reported.
+//! Expected failures stand in one file. A row that fails without being listed, and one that is listed but
+//! passes, are both reported.
 
 use crate::list::find;
 use crate::row::Row;

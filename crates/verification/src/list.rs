@@ -17,7 +17,7 @@ pub struct Benchmark {
     pub id: &'static str,
     /// Folder of the benchmark in `validation/`.
     pub folder: &'static str,
-    /// The file of what it expects.
+    /// Text of the file of what the benchmark expects.
     expected: &'static str,
     pub(crate) work: Procedure,
 }

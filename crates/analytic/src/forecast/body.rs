@@ -128,7 +128,7 @@ pub struct FacetedBody {
     pub height: f64,
     /// Depth of the lowest point of the body below its origin, through which the axle runs [m].
     pub below: f64,
-    /// The axle about which it rolls, if it does.
+    /// The axle about which the body rolls, if it does.
     pub axle: Axle,
     /// Facets of the surface of the body.
     pub facets: Arc<[Facet]>,

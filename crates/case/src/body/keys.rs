@@ -15,7 +15,7 @@ const TURN: Kind = Kind::Motion { still: LOCKED, way: ANGLE, speed: TURN_RATE, l
 
 type Field = KeyOf<Body>;
 
-/// Keys but for its shape and its motions, and where their values lie.
+/// Keys of a body but for its shape and its motions, and where their values lie.
 pub(super) const FIELDS: &[Field] = &[
     Field::new("friction", Kind::Friction, Place::Derived(|body| bounded(&mut body.friction)))
         .derived("required except for a frame")

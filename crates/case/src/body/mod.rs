@@ -34,7 +34,7 @@ pub struct Body {
     pub mass: f64,
     /// Moment of inertia about the axle [kg m²] of the whole body.
     pub axle_inertia: f64,
-    /// Coefficient of friction μ of its surface against the soil; infinite for a rough (no-slip) one.
+    /// Coefficient of friction μ of the surface against the soil; infinite for a rough (no-slip) one.
     pub friction: f64,
     /// Adhesion factor α: the largest frictional traction over the undrained shear strength s_u, whatever the
     /// pressure; infinite for no such limit.
@@ -81,7 +81,7 @@ pub struct Part {
     pub pitch: f64,
     /// Mass [kg].
     pub mass: f64,
-    /// Moment of inertia about its axle [kg m²].
+    /// Moment of inertia of the part about its axle [kg m²].
     pub axle_inertia: f64,
 }
 
@@ -202,7 +202,7 @@ impl Body {
         self.main_shape().has_surface()
     }
 
-    /// Least length that its shape is given along its own y [m], such as the thickness of a dished disc;
+    /// Least length that the shape is given along its own y [m], such as the thickness of a dished disc;
     /// infinite without one, or where it has several parts.
     #[must_use]
     pub fn thickness(&self) -> f64 {
@@ -312,7 +312,7 @@ impl Body {
         self.parts.iter().map(|part| part.mass).fold(self.mass, |sum, mass| sum + mass)
     }
 
-    /// Mass of the water that it displaces with its parts [kg], and the centre of its volume from the
+    /// Mass of the water that the body displaces with its parts [kg], and the centre of its volume from the
     /// reference point [m].
     #[must_use]
     pub(crate) fn displaced(&self, water: &Water, plane_strain: bool) -> (f64, DVec3) {

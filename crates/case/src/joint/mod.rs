@@ -41,7 +41,7 @@ pub enum JointKind {
     Hinge {
         /// Direction of the axis at the start.
         axis: DVec3,
-        /// Torque of friction in its bearing [N m].
+        /// Torque of friction in the bearing [N m].
         friction_torque: f64,
         /// Torque of a drive on the second body about the axis [N m].
         drive_torque: f64,

@@ -14,7 +14,7 @@ pub(super) struct Sides {
     pub(super) usual: Bevel,
 }
 
-/// The faces from which it is cut.
+/// The faces from which the edge is cut.
 pub(super) fn read(section: &Section, sides: &Sides, problems: &mut Problems) -> Option<Bevel> {
     if !section.has("bevel") {
         return Some(sides.usual);

@@ -16,7 +16,7 @@ use serde::Serialize;
 /// A blade across the tow: its faces look along x.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Blade {
-    /// Edge lengths of the box round it [m]: thickness, width, height.
+    /// Edge lengths of the box round the blade [m]: thickness, width, height.
     pub size: DVec3,
     /// How the lower end of the blade is sharpened; `None` if it is square.
     pub cutting_edge: Option<CuttingEdge>,

@@ -42,7 +42,7 @@ pub trait CaseShape {
     fn is_mirrored(&self, _axis: usize) -> bool {
         true
     }
-    /// Thinnest place of the shape, where its `sizes` do not say how thin it is.
+    /// Thinnest place of the shape, where `sizes` do not say how thin the shape is.
     fn thinnest(&self, _search: &ThinSearch) -> Option<Thin> {
         None
     }
@@ -67,7 +67,7 @@ pub struct Size {
     pub key: &'static str,
     /// The length [m].
     pub length: f64,
-    /// The axis along which it is measured; `None` for several.
+    /// The axis along which the length is measured; `None` for several.
     pub axis: Option<usize>,
 }
 

@@ -15,7 +15,7 @@ use serde::Serialize;
 /// A right-angled wedge: base level, back upright, its edge in front (+x) at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Wedge {
-    /// Edge lengths of the box round it [m]: length, width, height.
+    /// Edge lengths of the box round the wedge [m]: length, width, height.
     pub size: DVec3,
 }
 

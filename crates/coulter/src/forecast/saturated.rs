@@ -14,7 +14,7 @@ use std::f64::consts::FRAC_PI_2;
 pub struct BladeUnderWater {
     /// Blade angle [rad].
     pub angle: f64,
-    /// Thickness of the layer that it cuts [m].
+    /// Thickness of the layer that the blade cuts [m].
     pub depth: f64,
     /// The cuts of the blade; or why there are none, in words.
     pub cuts: Result<[SaturatedCut; 3], String>,

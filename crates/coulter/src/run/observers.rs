@@ -1,4 +1,4 @@
-//! Those who observe a run on behalf of its results folder. Each knows one thing; what they share is in the
+//! Observers of a run on behalf of its results folder. Each knows one thing; what they share is in the
 //! folder.
 
 use super::options::Follower;

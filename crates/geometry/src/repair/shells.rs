@@ -22,8 +22,8 @@ pub(super) struct Oriented {
 /// A closed surface that hangs together.
 #[derive(Clone, Copy, Default)]
 struct Shell {
-    /// Six times the volume that it encloses [m³], with the sign of its orientation as its first triangle has
-    /// it.
+    /// Six times the volume that the shell encloses [m³], with the sign of its orientation as its first
+    /// triangle has it.
     volume: f64,
     triangles: usize,
     /// Triangles oriented against the first.

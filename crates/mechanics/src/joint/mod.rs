@@ -45,8 +45,8 @@ pub struct Row {
     pub wrench: [Wrench; 2],
     /// Velocity that the joint asks for [m/s or rad/s].
     pub bias: f64,
-    /// Velocity per impulse by which it yields [1/kg or 1/(kg m²)]; 0 for a rigid joint. The impulse meant is
-    /// half that of the step: a spring of stiffness k and damping d has 2/(Δt (½ k Δt + d)).
+    /// Velocity per impulse by which the joint yields [1/kg or 1/(kg m²)]; 0 for a rigid joint. The impulse
+    /// meant is half that of the step: a spring of stiffness k and damping d has 2/(Δt (½ k Δt + d)).
     pub compliance: f64,
 }
 

@@ -65,7 +65,7 @@ impl LaidText {
         self.glyphs.iter().map(|glyph| glyph.letter).collect()
     }
 
-    /// Highest and lowest place that it covers [pt], y upwards from the baseline.
+    /// Highest and lowest place that the text covers [pt], y upwards from the baseline.
     pub(super) fn heights(&self) -> [f64; 2] {
         let glyphs = self.glyphs.iter().filter_map(|glyph| {
             let [_, low, _, high] = glyph.face.bounds(glyph.glyph)?;

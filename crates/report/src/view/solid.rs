@@ -25,7 +25,7 @@ impl RecordedBody {
         self.poses.iter().any(|pose| (pose[0] - 1.0).abs() > 1e-6)
     }
 
-    /// Lowest and highest coordinates of its points.
+    /// Lowest and highest coordinates of the points of the body.
     pub(super) fn bounds(&self) -> (DVec3, DVec3) {
         bounds(&self.points)
     }

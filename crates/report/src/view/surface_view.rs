@@ -20,7 +20,7 @@ const STEPS: f64 = 65_535.0;
 pub(crate) struct SurfaceView {
     /// Times [s].
     pub(crate) times: Vec<f64>,
-    /// Displacement of the first body at these times [m]; empty where there is none.
+    /// Displacement of the first body at the recorded times [m]; empty where there is none.
     pub(crate) displacements: Vec<f64>,
     /// Places along x and y.
     x: Vec<f64>,

@@ -29,7 +29,8 @@ pub(super) struct PortionFile {
 /// The content of a checkpoint.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct Checkpoint<R = f64> {
-    /// Name of the precision of its fields. It stands first, so that it can be read whatever it is.
+    /// Name of the precision of the fields. This stands first, so that it can be read whatever the precision
+    /// is.
     pub precision: String,
     /// The resolved case, as text; a run must not resume with another.
     pub case: String,
@@ -46,7 +47,7 @@ pub struct Checkpoint<R = f64> {
 /// The content of a checkpoint, borrowed from a run that continues.
 #[derive(Debug)]
 pub struct CheckpointView<'a, R> {
-    /// Name of the precision of its fields.
+    /// Name of the precision of the fields.
     pub precision: &'static str,
     /// The resolved case, as text.
     pub case: String,

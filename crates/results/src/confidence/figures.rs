@@ -90,7 +90,7 @@ pub struct VariationResult {
     pub width_m: f64,
     /// How much longer everything takes that the case prescribes.
     pub time_factor: f64,
-    /// Name of the variation from which it differs, on whose cells it is; `null` where that is the case
+    /// Name of the variation from which this one differs, on whose cells it is; `null` where that is the case
     /// itself.
     pub beside: Option<String>,
     /// Grade of the variation's run.

@@ -135,7 +135,7 @@ impl<'a, R: Precision> CellView<'a, R> {
         self.state.soil.mass[self.index].into() / (self.fraction * self.domain.volume(self.at))
     }
 
-    /// History variable number `n` of their table, in its unit.
+    /// Value of history variable number `n` in the order of the table, in its unit.
     pub fn history(&self, n: usize) -> f64 {
         self.unless_void(self.state.soil.history[n][self.index])
     }

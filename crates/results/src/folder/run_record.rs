@@ -117,7 +117,7 @@ pub struct RunRecord {
     pub steady_fraction: f64,
     /// Cut-off frequency of the filtered forces [Hz].
     pub filter_cutoff: f64,
-    /// The stage over which they are taken, by number; `None` for a run that has only one.
+    /// The stage over which averages are taken, by number; `None` for a run that has only one.
     pub steady_stage: Option<usize>,
     /// Whether only y ≥ 0 is modelled.
     pub symmetric: bool,

@@ -314,7 +314,7 @@ pub struct BodySample {
     pub vertical_normal: f64,
     /// Torque of the soil about the axle [N m], positive when it makes the body roll forward.
     pub axle_torque: f64,
-    /// Rotation Ω [rad], positive when it rolls forward.
+    /// Rotation Ω of the body [rad], positive when it rolls forward.
     pub rotation: f64,
     /// Rate of rotation ω [rad/s].
     pub spin: f64,
@@ -340,7 +340,7 @@ pub struct BodySample {
     pub water_drag: f64,
     /// Portion of the drag that excess pore pressure exerts [N].
     pub pore_drag: f64,
-    /// Portion of the vertical force that it exerts [N].
+    /// Portion of the vertical force that excess pore pressure exerts [N].
     pub pore_vertical: f64,
     /// Soil inside the body [m³] (a measure of leakage).
     pub leaked_volume: f64,

@@ -60,8 +60,8 @@ pub struct BodySetting {
     pub name: String,
     /// Smallest cell widths along the axes of the extent [m]; in plane strain the width of the body across.
     pub cell: [f64; 3],
-    /// Extent of the body along its own axes [m]: that next to its tow (of what rolls, that in which it
-    /// does), across and upwards; `None` across the slab of plane strain.
+    /// Extent of the body along its own axes [m]: along the axis nearest to its tow (of a body that rolls,
+    /// along that in which it rolls), across and upwards; `None` across the slab of plane strain.
     pub extent: [Option<f64>; 3],
     /// Thickness of the body across [m], less than the extent of a dished disc; `None` across the slab of
     /// plane strain.

@@ -62,7 +62,7 @@ pub(crate) struct BodyCell {
     pub(crate) body: usize,
     /// Index in memory.
     pub(crate) cell: usize,
-    /// Volume fraction of the body in it.
+    /// Volume fraction of the body in the cell.
     pub(crate) fraction: f64,
 }
 

@@ -25,7 +25,7 @@ const PRESSED_WITHIN: f64 = 0.1;
 pub(crate) struct Confined {
     /// Index in memory.
     cell: usize,
-    /// The body that occupies most of it.
+    /// The body that occupies most of the cell.
     body: usize,
     /// Compression after which soil and bodies fill the cell.
     strain: f64,

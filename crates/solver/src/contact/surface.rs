@@ -41,7 +41,7 @@ pub(crate) struct ContactPoint {
     pub(crate) position: DVec3,
     /// Outward unit normal.
     pub(crate) normal: DVec3,
-    /// Area of the surface round it [m²].
+    /// Area of the surface round the point [m²].
     pub(crate) area: f64,
     /// Area of the surface round the point and its share of the margins along the edges of its face [m²].
     pub(crate) represents: f64,

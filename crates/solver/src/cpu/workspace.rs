@@ -90,7 +90,7 @@ pub(crate) struct PortionScratch<R: Scalar> {
     pub(crate) sums: StageSums,
     /// Dissipation of the portion's cells beyond boundaries at constant stress in the Lagrangian stage [J].
     pub(crate) dissipated_beyond: ExactSum,
-    /// Throughput of the thread to which it belongs.
+    /// Throughput of the thread to which the portion belongs.
     pub(crate) throughput: Throughput,
     /// Time by stage.
     pub(crate) stopwatch: Stopwatch,

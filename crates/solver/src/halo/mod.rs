@@ -133,7 +133,7 @@ pub struct Halo {
     rank: usize,
     blocks: usize,
     neighbours: Vec<Neighbour>,
-    /// Numbers of blocks beyond it along y and z, at the low end and at the high end.
+    /// Numbers of blocks beyond this one along y and z, at the low end and at the high end.
     beyond: [[usize; 2]; 2],
 }
 

@@ -229,7 +229,7 @@ impl Item {
         (if points.len() >= 2 { points } else { Vec::new() }, Vec::new())
     }
 
-    /// The steady mean that it states itself.
+    /// The steady mean that the item states itself.
     #[must_use]
     pub fn stated(&self, quantity: Quantity) -> Option<SteadyMean> {
         self.means.iter().find(|(known, _)| *known == quantity).map(|(_, mean)| *mean)

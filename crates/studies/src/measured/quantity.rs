@@ -243,7 +243,7 @@ impl Quantity {
         unit_size(unit, &measure)
     }
 
-    /// A unit in which it may be given, for messages.
+    /// A unit in which the quantity may be given, for messages.
     #[must_use]
     pub fn example(self) -> &'static str {
         match self.entry().measure {

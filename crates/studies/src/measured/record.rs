@@ -131,7 +131,8 @@ impl Record {
         self.channels.first().map_or(0, |channel| channel.values.len())
     }
 
-    /// The quantities along which it has a curve, in the order in which they are preferred as an abscissa.
+    /// The quantities along which the record has a curve, in the order in which they are preferred as an
+    /// abscissa.
     pub fn abscissae(&self) -> impl Iterator<Item = Quantity> + '_ {
         const PREFERRED: [Quantity; 4] =
             [Quantity::Slip, Quantity::Displacement, Quantity::Sinkage, Quantity::Time];

@@ -101,7 +101,7 @@ const FIELDS: &[Field] = &[
     ),
 ];
 
-/// Clay that keeps its strength.
+/// Softening of clay that keeps its strength.
 const INSENSITIVE: ClaySoftening =
     ClaySoftening { sensitivity: 1.0, remoulding_strain: 1.0, rate_strengthening: 0.0, reference_rate: 1.0 };
 

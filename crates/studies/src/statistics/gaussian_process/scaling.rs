@@ -15,7 +15,7 @@ pub(super) struct Scaling {
     pub(super) factors: usize,
     /// The factors that vary.
     pub(super) varying: Vec<usize>,
-    /// Lowest value of each of these, and their range.
+    /// Lowest value of each of the inputs that vary, and their range.
     pub(super) ranges: Vec<[f64; 2]>,
     /// Mean of the values.
     pub(super) mean: f64,
