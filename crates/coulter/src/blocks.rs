@@ -47,7 +47,7 @@ pub(crate) fn decompose(model: &Model, blocks: usize) -> Result<Decomposition, T
     Decomposition::by_cost(&model.grid, blocks, &cost).ok_or(TooManyBlocks { blocks, layers: [rows, planes] })
 }
 
-/// When the grid of a run is cut anew, and how long its block has taken since it was last.
+/// When the grid of a run is cut anew next, and how long its block has taken since the last time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Balance {
     /// Step at which the blocks are compared next.

@@ -324,9 +324,9 @@ impl<R: Precision> Simulation<R> {
 
     /// Runs the case to its end, or until an observer stops it.
     ///
-    /// Observers are told of a sample, and asked between two steps, in their order; the first that does not
-    /// want to go on ends the run, and those after it are not asked any more. All are told of the end. A run
-    /// that was stopped goes on where it stood when this is called again.
+    /// Observers are notified of a sample, and asked between two steps, in their order; the first that does
+    /// not want to go on ends the run, and those after it are not asked any more. All are notified of the
+    /// end. A run that was stopped goes on where it stood when this is called again.
     ///
     /// # Errors
     /// That of the first observer that fails: the run ends between two steps, and no observer is told.

@@ -1,4 +1,4 @@
-//! How many cores this program may use, and how many threads a run has where nobody says.
+//! How many cores this program may use, and how many threads a run has by default.
 //!
 //! The scheduler's word comes first, then OpenMP's, then what the system grants: `available_parallelism` of
 //! the standard library, which heeds affinity and the quotas of control groups of both versions. Several
@@ -32,8 +32,8 @@ pub fn threads(asked: usize) -> usize {
     if asked == 0 { threads_by_default().count } else { asked }
 }
 
-/// Threads of a run where nobody says: `SLURM_CPUS_PER_TASK`, else `OMP_NUM_THREADS`, else one per core that
-/// this process may use.
+/// Threads of a run by default: `SLURM_CPUS_PER_TASK`, else `OMP_NUM_THREADS`, else one per core that this
+/// process may use.
 #[must_use]
 pub fn threads_by_default() -> Cores {
     Place::here(&variable).cores(&[OF_TASK, OPENMP])

@@ -21,7 +21,7 @@ pub struct ClayParameters {
     pub remoulding_strain: Real,
     /// Gain of strength per tenfold rate of shear, μ ≥ 0.
     pub rate_strengthening: Real,
-    /// Rate of shear up to which there is none, γ̇_ref > 0 [1/s].
+    /// Rate of shear up to which the strength does not grow, γ̇_ref > 0 [1/s].
     pub reference_rate: Real,
 }
 

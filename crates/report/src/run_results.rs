@@ -225,8 +225,8 @@ pub fn require_nothing(dir: &Path) -> Result<(), OutputError> {
     clear(dir, false)
 }
 
-/// Gives a run that has come to its end the intervals that follow from these variations, in the summary, the
-/// report and the log, unless it has them already. `confidence` says what was allowed and spent.
+/// Gives a run that has finished the intervals that follow from these variations, in the summary, the report
+/// and the log, unless it has them already. `confidence` says what was allowed and spent.
 ///
 /// # Errors
 /// When the folder holds no such result, or a file cannot be read or written.

@@ -1,4 +1,4 @@
-//! Curves that are laid over the plots of a run.
+//! Curves that are overlaid on the plots of a run.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub enum PlotKind {
     AxleTorque,
 }
 
-/// A curve laid over a plot: a forecast, a measurement, another run.
+/// A curve overlaid on a plot: a forecast, a measurement, another run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Overlay {
     /// Name in the legend.

@@ -1,5 +1,5 @@
-//! Whether a state that was read is one of a grid, and of a model: the method takes for granted that its
-//! arrays are as long and that its numbers of bodies, points and cells are of something.
+//! Whether a state that was read is one of a grid, and of a model: the method assumes that its arrays are as
+//! long and that its numbers of bodies, points and cells are of something.
 
 use crate::contact::Surface;
 use crate::fields::HISTORY;

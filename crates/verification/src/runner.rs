@@ -118,7 +118,7 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    /// Does one part of a benchmark, unless the cache holds its results from this very program with the same
+    /// Does one part of a benchmark, unless the cache holds its results from this same program with the same
     /// options; then the cached rows and balances are taken.
     ///
     /// # Errors

@@ -91,7 +91,7 @@ impl Teller {
     /// Prints a line on standard output, or on standard error where that is for something else.
     fn print(&self, text: &str) {
         self.bar.suspend(|| {
-            // Where nobody listens any more the study goes on.
+            // Where no one reads the output any more the study goes on.
             if self.quiet {
                 tell(text);
             } else {

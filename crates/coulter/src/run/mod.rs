@@ -134,7 +134,7 @@ fn give_up(halo: &Halo, error: &RunError) {
     }
 }
 
-/// The loop of the run, in the order in which its observers are told of a sample. The state is written before
+/// The loop of the run, in the order in which its observers get a sample. The state is written before
 /// anything else that the end of the run leaves: all that can be rebuilt from it.
 fn observed<R: Precision>(
     simulation: &mut Simulation<R>,

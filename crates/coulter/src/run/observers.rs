@@ -139,7 +139,7 @@ impl<R: Precision> Observer<R> for Checkpoints<'_> {
     }
 }
 
-/// Statistics of a run that has come so far.
+/// Statistics of a run up to this point.
 pub(super) fn statistics(simulation: &Simulation<impl Precision>, outcome: Outcome) -> RunStatistics {
     RunStatistics {
         steps: simulation.state.step,

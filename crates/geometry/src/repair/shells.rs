@@ -179,5 +179,5 @@ fn depths(surface: &Mesh, shell_of: &[u32], shells: usize, size: f64) -> Vec<usi
     members.iter().enumerate().map(depth).collect()
 }
 
-/// A direction in which nobody draws.
+/// A direction along which no drawing has an edge.
 const OBLIQUE: DVec3 = DVec3::new(0.537_291, 0.713_877, 0.449_023);

@@ -248,7 +248,7 @@ fn largest_interval(summary: &Summary) -> Option<(String, f64, &'static str)> {
     found.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// The sources that nobody asked for, in words: `domain and speed were`.
+/// The sources that were not asked for, in words: `domain and speed were`.
 fn not_asked_for(summary: &Summary) -> String {
     let variations = summary.confidence.iter().flat_map(|confidence| &confidence.variations);
     let words: Vec<&str> =

@@ -46,7 +46,7 @@ pub(crate) struct ReportText {
 /// What a report shows that is built anew; nothing of it is kept in the folder of the results.
 #[derive(Clone, Debug, Default)]
 pub struct ReportWishes {
-    /// Curves of measurements and other runs, laid over the plots.
+    /// Curves of measurements and other runs that are overlaid on the plots.
     pub laid_over: Vec<Overlay>,
     /// Remarks on these curves.
     pub remarks: Vec<String>,

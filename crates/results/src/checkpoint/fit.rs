@@ -1,5 +1,5 @@
-//! Whether a checkpoint that was read is one of a case: whoever goes on from it takes for granted that it has
-//! as many of everything.
+//! Whether a checkpoint that was read is one of a case: code that goes on from it assumes that it has as many
+//! of everything.
 
 use super::contents::Checkpoint;
 use crate::history::probes::places;

@@ -13,7 +13,7 @@ use crate::trust::steadiness::Trend;
 use crate::trust::{BodySetting, Verdict};
 use std::collections::BTreeMap;
 
-/// A run: the case's own, or that of a variation that has come to its end.
+/// A run: the case's own, or that of a variation that has finished.
 #[derive(Clone, Copy, Debug)]
 pub struct VariedRun<'a> {
     /// What is known of the variation; the figures are filled in.

@@ -39,7 +39,7 @@ pub(crate) fn find_bodies<R: Scalar>(
 pub(crate) fn bodies_at_search<R: Scalar>(model: &Model, state: &State<R>, crew: Crew) -> Vec<BodyCell> {
     /// Cells that a thread takes at once.
     const AT_ONCE: usize = 64;
-    // What bodies occupy high above the soil concerns nobody, and is most of a wheel.
+    // The part of a body high above the soil does not matter, and is most of a wheel.
     let top = top_of_soil(&model.grid, &state.soil).max(model.top_of_ground() - state.grid_position.z);
     let mut found = Vec::new();
     for (n, (fixed, body)) in model.bodies.iter().zip(&state.bodies).enumerate() {

@@ -91,7 +91,7 @@ impl<T: Copy + Default> Begun<T> {
     fn begin_to_write(&mut self, n: usize, begin: impl FnOnce(&'static mut [T]) -> Begins<T>) {
         let received = &mut self.received[n];
         let (start, length) = (received.as_mut_ptr(), received.len());
-        // SAFETY: the same with `receives`, and nobody else has a reference to it.
+        // SAFETY: the same with `receives`, and no one else has a reference to it.
         self.receives.push(WaitGuard::from(begin(unsafe { std::slice::from_raw_parts_mut(start, length) })));
     }
 

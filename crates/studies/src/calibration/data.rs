@@ -56,7 +56,8 @@ pub struct Taken {
     pub left_out: Vec<LeftOut>,
 }
 
-/// For abscissae of a measurement why a model says nothing there: its number, along what, where.
+/// For the abscissae of a measurement why a model says nothing there: from the number of the measurement, the
+/// quantity along which they run, and the abscissae.
 pub type Judge<'a> = dyn Fn(usize, Quantity, &[f64]) -> Vec<Option<String>> + 'a;
 
 impl Selection {

@@ -22,7 +22,7 @@ pub struct Counts {
     pub refused: usize,
     /// Cases that could not be brought to an outcome.
     pub failed: usize,
-    /// Cases that nobody has run to an end.
+    /// Cases that have not been run to an end.
     pub missing: usize,
 }
 

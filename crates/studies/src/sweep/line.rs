@@ -19,7 +19,7 @@ pub struct CaseLine {
     pub model: ModelKind,
     /// Meshes from which the intervals of a run follow; `null` without intervals.
     pub meshes: Option<usize>,
-    /// The factors and their levels there; not those of which the part makes nothing.
+    /// The factors and their levels at the point; without those of which the part makes no use.
     pub factors: Vec<FactorLevel>,
     /// What is set in the case, as `--set` takes it.
     pub set: Vec<String>,

@@ -283,7 +283,8 @@ impl Store {
         Ok(files::write(&self.failure_file(id), why.as_bytes())?)
     }
 
-    /// Why a case could not be brought to an outcome; `None` where nobody has tried, or was killed.
+    /// Why a case could not be brought to an outcome; `None` where it has not been tried, or the attempt was
+    /// killed.
     #[must_use]
     pub fn failure(&self, id: &CaseId) -> Option<String> {
         let bytes = files::read_inside(&self.failure_file(id), MOST_BYTES).ok()?;

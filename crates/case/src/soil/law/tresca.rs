@@ -37,7 +37,7 @@ pub struct ClaySoftening {
     pub remoulding_strain: f64,
     /// Gain of strength per tenfold rate of shear, μ ≥ 0.
     pub rate_strengthening: f64,
-    /// Rate of shear up to which there is none [1/s].
+    /// Rate of shear up to which the strength does not grow [1/s].
     pub reference_rate: f64,
 }
 
