@@ -77,7 +77,7 @@ impl Soil {
         self.cohesion + self.strength_gradient * depth
     }
 
-    /// Whether it is undrained clay: φ = ψ = 0 and a shear strength s_u = c.
+    /// Whether the soil is undrained clay: φ = ψ = 0 and a shear strength s_u = c.
     #[must_use]
     pub fn is_undrained(&self) -> bool {
         self.friction_angle == 0.0 && self.dilation_angle == 0.0

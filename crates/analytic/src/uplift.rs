@@ -21,8 +21,8 @@ const CIRCLES: [(f64, f64); 6] =
 /// Limits of a deep strip (Merifield, Sloan & Yu 2001) and of a deep smooth circle (Martin & Randolph 2001)
 /// in clay.
 const DEEP: (f64, f64) = (11.16, 12.42);
-/// Depth of its middle over the diameter to which sand above a pipe is lifted as a whole (chosen: the range
-/// of the tests).
+/// Depth of the middle of a pipe over its diameter to which sand above it is lifted as a whole (chosen: the
+/// range of the tests).
 const DEEPEST_PIPE: f64 = 8.0;
 
 /// Shear on the two vertical planes above a strip over γ H²: tan ψ + (tan φ − tan

@@ -14,8 +14,8 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 /// Sinkage of a body that is free to sink [body lengths]; chosen: the shipped disc sinks half as deep, a disc
 /// that does not turn up to three times.
 const FREE_SINKAGE: f64 = 0.1;
-/// The same for the height of the heap; chosen: air above it costs next to nothing, and soil that reaches the
-/// lid ends the run.
+/// Sinkage of a body that is free to sink, for the height of the heap [body lengths]; chosen: air above the
+/// heap costs little, and soil that reaches the lid ends the run.
 const FREE_SINKAGE_AT_MOST: f64 = 1.0;
 /// Slope of a heap of cohesive or undrained soil [rad]; chosen: steeper than sand, and such soil does break
 /// up.
@@ -40,7 +40,7 @@ const FOOTING_FRACTION: f64 = 0.5;
 pub(crate) struct SoilConditions {
     /// Yield law of the soil.
     pub(crate) law: Law,
-    /// Height of its surface [m].
+    /// Height of the surface of the soil [m].
     pub(crate) surface: f64,
     /// Height of the floor [m]; minus infinity as long as it is not known.
     pub(crate) floor: f64,
@@ -48,9 +48,9 @@ pub(crate) struct SoilConditions {
     pub(crate) velocity: DVec3,
     /// Acceleration of gravity [m/s²].
     pub(crate) gravity: f64,
-    /// Whether it is a slab in plane strain, without lateral flow.
+    /// Whether the soil is a slab in plane strain, without lateral flow.
     pub(crate) plane_strain: bool,
-    /// Whether it fills the box up to the lid, so that nothing can rise.
+    /// Whether the soil fills the box up to the lid, so that nothing can rise.
     pub(crate) confined: bool,
 }
 
@@ -88,15 +88,15 @@ impl SoilConditions {
 /// The clearance round the path of a body [m].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Clearance {
-    /// Above the undisturbed surface: the top of the heap.
+    /// Clearance above the undisturbed surface: the top of the heap [m].
     pub(crate) above: f64,
     /// Clearance above the soil if a body that is free to sink sinks much more than expected [m].
     pub(crate) above_at_most: f64,
-    /// In front of the low and the high end of the path along x.
+    /// Clearance in front of the low and the high end of the path along x [m].
     pub(crate) along: [f64; 2],
-    /// On either side of the path.
+    /// Clearance on either side of the path [m].
     pub(crate) sideways: f64,
-    /// Below the lowest point of the path.
+    /// Clearance below the lowest point of the path [m].
     pub(crate) below: f64,
 }
 

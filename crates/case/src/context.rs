@@ -12,7 +12,7 @@ use glam::DVec3;
 pub(super) struct Context {
     /// Acceleration of gravity [m/s²].
     pub(super) gravity: f64,
-    /// The water over it.
+    /// The water over the soil.
     pub(super) water: Option<Water>,
     /// Slope of the ground.
     pub(super) slope: Slope,
@@ -43,7 +43,7 @@ impl Context {
         self.cell * self.aspect
     }
 
-    /// The same cells as those of the grid.
+    /// The cells in the fine zone of the grid.
     pub(super) fn fine_cells(&self) -> FineCells {
         FineCells { widths: self.fine_cell(), plane_strain: self.slab.is_some() }
     }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 const HEADER: &str = "| key | value | default | meaning |\n|---|---|---|---|\n";
 
-/// One table for each section, in Markdown.
+/// The tables of the keys, one for each section, in Markdown.
 #[must_use]
 pub fn tables() -> String {
     let mut text = String::new();

@@ -17,11 +17,11 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Wall {
-    /// No motion through it, no friction along it. A symmetry plane is one.
+    /// No motion through the wall, no friction along it. A symmetry plane is one.
     Smooth,
-    /// No motion at all.
+    /// No motion at the wall at all.
     Fixed,
-    /// None: the ground beyond it bears what it bears at rest, soil leaves and ground enters.
+    /// No wall: the ground beyond the face bears what it bears at rest, soil leaves and ground enters.
     Pressure,
 }
 

@@ -35,7 +35,7 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// Height of its level surface [m].
+    /// Height of the level surface of the ground [m].
     #[must_use]
     pub fn surface(&self) -> f64 {
         match *self {

@@ -14,7 +14,7 @@ use serde::Serialize;
 pub struct Layer {
     /// Name of the layer.
     pub name: String,
-    /// Depth of its top below the surface [m].
+    /// Depth of the top of the layer below the surface [m].
     pub top: f64,
     /// Soil of the layer.
     pub soil: Soil,
@@ -48,7 +48,7 @@ impl Layer {
         Some(layers)
     }
 
-    /// Path of its section.
+    /// Path of the layer's section.
     pub(crate) fn path(&self) -> String {
         format!("layer.{}", self.name)
     }

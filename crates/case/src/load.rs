@@ -20,9 +20,9 @@ pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
     parse(&text(path)?, &path.display().to_string(), overrides)
 }
 
-/// As [`load`], for the closed-form models: with the standard deviations that the file states, such as `"35 ±
-/// 2 deg"`, the case holding the means; and with any resolution of the grid and any cost of a run, which do
-/// not matter to them.
+/// Loads a case as [`load`] does, for the closed-form models: with the standard deviations that the file
+/// states, such as `"35 ± 2 deg"`, the case holding the means; and with any resolution of the grid and any
+/// cost of a run, which do not matter to them.
 ///
 /// # Errors
 /// [`CaseError`] holds everything else that is wrong, with its location in the file.
@@ -34,7 +34,8 @@ pub fn load_for_forecast(
     parse_with_deviations(&text(path)?, &name, overrides, Problems::without_resolution())
 }
 
-/// As [`load_for_forecast`], from the text of a case file; `source_name` is what to call it in messages.
+/// Loads a case as [`load_for_forecast`] does, from the text of a case file; `source_name` is what to call it
+/// in messages.
 ///
 /// # Errors
 /// As [`load_for_forecast`].
@@ -55,7 +56,8 @@ pub fn load_soil(path: &Path, overrides: &[String]) -> Result<(String, Soil), Ca
     parse_soil(&text(path)?, &path.display().to_string(), overrides)
 }
 
-/// As [`load_soil`], from the text of a case file; `source_name` is what to call it in messages.
+/// Loads a soil as [`load_soil`] does, from the text of a case file; `source_name` is what to call it in
+/// messages.
 ///
 /// # Errors
 /// As [`load`].
@@ -195,7 +197,7 @@ fn refuse_other(tree: &[Entry], name: &str) -> Result<(), CaseError> {
     Ok(())
 }
 
-/// From the tree to a case that has been checked, whatever the tree was read from.
+/// A case that has been checked, from its tree, whatever the tree was read from.
 fn build(
     mut tree: Vec<Entry>,
     name: &str,
@@ -214,7 +216,7 @@ fn build(
     }
 }
 
-/// From the tree to the name of a case and its soil.
+/// The name of a case and its soil, from its tree.
 fn build_soil(mut tree: Vec<Entry>, name: &str) -> Result<(String, Soil), Problems> {
     let mut problems = Problems::default();
     uncertainty::separate(&mut tree, &mut problems);

@@ -44,7 +44,7 @@ pub struct Plough {
 /// Hanamoto.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plate {
-    /// The published soil that they belong to, if any.
+    /// The published soil that the constants belong to, if any.
     pub name: Option<String>,
     /// Sinkage exponent n.
     pub exponent: f64,

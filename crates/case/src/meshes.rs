@@ -14,7 +14,7 @@ pub struct OtherCells {
     pub case: Case,
     /// Text of the case as a case file.
     pub typed: String,
-    /// Name of its folder: its cell size, to four digits.
+    /// Name of the folder of the mesh: its cell size, to four digits.
     pub name: String,
 }
 

@@ -12,7 +12,7 @@ const PACKED_CELL: f64 = 60.0;
 const PACKED_VOID: f64 = 0.5;
 /// A column of cells in a free-surface file [bytes]; measured on the towed disc.
 const PACKED_COLUMN: f64 = 21.0;
-/// A body in its file [bytes]; measured.
+/// Size of a body in its file [bytes]; measured.
 const PACKED_BODY: f64 = 6e3;
 /// A line of a body's history, and of the energy history [bytes]; measured.
 const LINES: [f64; 2] = [236.0, 155.0];

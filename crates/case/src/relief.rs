@@ -20,7 +20,7 @@ pub struct Relief {
     /// Heights from a file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<HeightFile>,
-    /// Furrows, on top of these.
+    /// Furrows, on top of the heights of the map.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub furrows: Option<Furrows>,
 }
@@ -37,7 +37,7 @@ pub struct Furrows {
     /// Distance of a crest from x = y = 0, across the furrows towards +x, or towards +y of furrows along x
     /// [m].
     pub offset: f64,
-    /// Whether their section is a triangle instead of a cosine.
+    /// Whether the section of the furrows is a triangle instead of a cosine.
     pub is_triangular: bool,
 }
 
@@ -92,7 +92,7 @@ impl Furrows {
         if x < 0.0 || x == 0.0 && y < 0.0 { [-x, -y].map(exact) } else { [x, y] }
     }
 
-    /// Tangent of their steepest slope.
+    /// Tangent of the steepest slope of the furrows.
     #[must_use]
     pub fn steepest(&self) -> f64 {
         self.of_solver().steepest()

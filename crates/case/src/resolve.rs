@@ -103,7 +103,7 @@ fn on_soil(gravity: f64, water: Option<Water>) -> f64 {
     water.map_or(gravity, |water| water.soil_gravity(gravity))
 }
 
-/// What is known before the bodies.
+/// What is known of the case before its bodies.
 #[derive(Clone, Copy)]
 struct About<'a> {
     /// Acceleration of gravity [m/s²].

@@ -38,12 +38,12 @@ pub struct Case {
     /// Slope of the ground, in whose surface x and y lie.
     #[serde(skip_serializing_if = "Slope::is_level")]
     pub slope: Slope,
-    /// The water over it; `None` for dry ground.
+    /// The water over the soil; `None` for dry ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub water: Option<Water>,
     /// The soil, of ground in layers the uppermost.
     pub soil: Soil,
-    /// The layers below it, from the top down.
+    /// The layers below the uppermost soil, from the top down.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub layers: Vec<Layer>,
     /// Bodies of soil of another kind, in the order of the file; where two overlap, the first counts.
@@ -51,7 +51,7 @@ pub struct Case {
     pub soil_bodies: Vec<SoilBody>,
     /// Where there is soil at the start.
     pub ground: Ground,
-    /// How its surface rises and falls.
+    /// How the surface of the ground rises and falls.
     #[serde(skip_serializing_if = "Relief::is_level")]
     pub relief: Relief,
     /// Vertical pressure of the lid on the soil at the start [Pa].
@@ -145,7 +145,7 @@ impl Case {
 }
 
 impl<'a> Paths<'a> {
-    /// Those of a case.
+    /// The paths of the bodies of a case.
     pub fn of(case: &'a Case) -> Self {
         Self { bodies: &case.bodies, follow: case.grid.follow, duration: case.duration }
     }

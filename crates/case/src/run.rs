@@ -22,10 +22,10 @@ const FIELDS: &[KeyOf<f64>] = &[
         .means("Run until every towed body has travelled this far."),
 ];
 
-/// The same without places.
+/// Keys of the run, without the places of their values.
 pub(crate) const KEYS: &[Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
 
-/// Reports a duration [s] that is none.
+/// Reports a duration [s] that is out of range.
 pub(crate) fn check(duration: f64, problems: &mut Problems) {
     in_ranges("run", &numbers(FIELDS, &duration), problems);
 }

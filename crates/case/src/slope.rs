@@ -67,14 +67,14 @@ impl Slope {
         DVec3::new(along, across, -1.0).normalize()
     }
 
-    /// Cosine of its steepest angle: the part of gravity that acts normal to the surface.
+    /// Cosine of the steepest angle of the slope: the part of gravity that acts normal to the surface.
     #[must_use]
     pub fn cosine(&self) -> f64 {
         -self.down().z
     }
 
-    /// Tangent of its steepest angle: shear over normal stress on planes parallel to the surface of soil at
-    /// rest.
+    /// Tangent of the steepest angle of the slope: shear over normal stress on planes parallel to the surface
+    /// of soil at rest.
     #[must_use]
     pub fn tangent(&self) -> f64 {
         let down = self.down();

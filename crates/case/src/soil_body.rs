@@ -32,7 +32,7 @@ pub struct SoilBody {
 
 type Field = KeyOf<SoilBody>;
 
-/// Keys of its place and attitude, and where their values lie.
+/// Keys of the place and attitude of a soil body, and where their values lie.
 const PLACED: &[Field] = &[
     Field::new("x", Kind::Quantity(LENGTH), Place::Derived(|body| Some(&mut body.position.x)))
         .default(Quantity("0 m"))
@@ -63,7 +63,7 @@ impl SoilBody {
     /// Keys of a soil body: its place, the shape, and those of a soil.
     pub(crate) const KEYS: &[Key] = &joined::<{ count(LISTS) }>(LISTS);
 
-    /// Path of its section.
+    /// Path of the soil body's section.
     pub(crate) fn path(&self) -> String {
         format!("soil_body.{}", self.name)
     }

@@ -14,7 +14,7 @@ pub(super) struct ThinPlace {
     pub(super) path: String,
     /// Cells across.
     pub(super) cells: f64,
-    /// Of a shape from a file, its thickness [m] and its place in words.
+    /// Of a shape from a file, the thickness of its wall [m] and the place in words.
     pub(super) wall: Option<(f64, String)>,
 }
 

@@ -4,11 +4,11 @@ use super::resolved::{Body, Case, MOTIONS, Motion};
 
 /// A displacement over time in a case.
 pub(super) struct TimedMotion {
-    /// Path of its key.
+    /// Path of the key of the motion.
     pub(super) path: String,
-    /// Times of its first and its last point [s].
+    /// Times of the first and the last point of the motion [s].
     pub(super) span: [f64; 2],
-    /// How long the run goes on after the moment from which its times count [s].
+    /// How long the run goes on after the moment from which times of the motion count [s].
     pub(super) remaining: f64,
     /// Last speed of the motion [m/s or rad/s].
     pub(super) last_speed: f64,

@@ -8,7 +8,7 @@ use mechanics::Course;
 /// A motion of a body in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ToldMotion {
-    /// Path of its key: `body.plate.heave`, `stage.press.plate.heave`.
+    /// Path of the key of the motion: `body.plate.heave`, `stage.press.plate.heave`.
     pub path: String,
     /// What the body does: direction, distance and times. Those of a stage count from its beginning.
     pub words: String,
@@ -16,13 +16,13 @@ pub struct ToldMotion {
 
 /// The words of one degree of freedom.
 struct Words {
-    /// Before a distance; empty where the direction says all.
+    /// Words before a distance; empty where the direction says all.
     verb: &'static str,
-    /// After a distance: against and along the axis.
+    /// Words after a distance: against and along the axis.
     ways: [&'static str; 2],
     /// Whether the direction stands before the distance.
     leads: bool,
-    /// Against and along the axis: what a load does.
+    /// Words for what a load does, against and along the axis.
     loads: [&'static str; 2],
 }
 
@@ -111,7 +111,7 @@ fn tell(how: &Motion, motion: usize, lasts: f64) -> String {
 /// A part of a motion that goes one way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Leg {
-    /// When it begins and ends [s].
+    /// When the leg begins and ends [s].
     times: [f64; 2],
     /// Displacement over the leg [m or rad].
     way: f64,
@@ -182,7 +182,7 @@ fn moments(how: &Motion, lasts: f64) -> Vec<[f64; 2]> {
     times.into_iter().map(|time| [time, travel(how, time)]).collect()
 }
 
-/// Those of a course.
+/// Points of a course, time [s] and displacement [m or rad], as long as the motion lasts [s].
 fn points(course: &Course, lasts: f64) -> Vec<[f64; 2]> {
     let inside = course.moments(lasts).into_iter().filter(|time| *time > 0.0);
     std::iter::once(0.0).chain(inside).map(|time| [time, course.displacement(time)]).collect()
@@ -219,7 +219,7 @@ fn legs(points: &[[f64; 2]]) -> Vec<Leg> {
     ends.windows(2).filter_map(|pair| leg(&points[pair[0]..=pair[1]], REST * range)).collect()
 }
 
-/// One part, from when it has left its first point to when it has reached its last.
+/// One leg, from when the motion has left its first point to when it has reached its last.
 fn leg(points: &[[f64; 2]], rest: f64) -> Option<Leg> {
     let (first, last) = (points.first()?[1], points.last()?[1]);
     let begins = points.iter().rfind(|point| (point[1] - first).abs() <= rest)?[0];

@@ -45,13 +45,13 @@ impl TowDirection {
         self.0
     }
 
-    /// Whether it is along x, forwards or backwards.
+    /// Whether the tow is along x, forwards or backwards.
     #[must_use]
     pub fn is_along_x(self) -> bool {
         self.0[1] == 0.0
     }
 
-    /// Whether it is rather along y.
+    /// Whether the tow is more along y than along x.
     #[must_use]
     pub fn is_lateral(self) -> bool {
         self.0[1].abs() > self.0[0].abs()
@@ -146,17 +146,17 @@ fn speed(motion: &Motion, duration: f64) -> f64 {
 /// What a body and the cells next to it measure along its tow, across it and upwards [m].
 #[derive(Clone, Copy, Debug)]
 pub struct Measures {
-    /// Extent of the body along its own axes: of what rolls along the level axis in which it does, of any
-    /// other along that which lies next to the tow first.
+    /// Extent of the body along its own axes: first along the level axis in which it rolls, or, where it does
+    /// not, along that nearest to the tow.
     pub extent: DVec3,
     /// Thickness of the body across the tow: of a dished disc less than its extent.
     pub thickness: f64,
-    /// Widths of the cells along these axes.
+    /// Widths of the cells along the axes of the body [m].
     pub cell: DVec3,
 }
 
 impl Measures {
-    /// Those of a body among cells of these widths along x, y and z [m].
+    /// Measures of a body among cells of these widths along x, y and z [m].
     pub fn of(case: &Case, body: &Body, cell: DVec3) -> Self {
         let is_turned = |angle: f64| angle.sin().abs() > angle.cos().abs() + SQUARE;
         let (low, high) = body.solid().bounds();

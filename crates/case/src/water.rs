@@ -15,7 +15,7 @@ use serde::Serialize;
 /// Water over the ground. Soil and bodies are in it as a whole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Water {
-    /// Height of its surface [m].
+    /// Height of the surface of the water [m].
     pub level: f64,
     /// Density ρ_w [kg/m³].
     pub density: f64,

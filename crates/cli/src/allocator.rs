@@ -4,7 +4,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;
 
-/// What is said then.
+/// Message where memory runs out.
 const OUT_OF_MEMORY: &str = "error: not enough memory: a limit of this machine, of this process (ulimit -v, ulimit -d) or of a batch system \
                              was reached; make grid.cell larger, or the limit, or use fewer --threads\n";
 

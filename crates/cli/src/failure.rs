@@ -17,7 +17,7 @@ pub enum Failure {
     /// The request was right, but the physics failed.
     #[error("{0}")]
     Physics(String),
-    /// A signal stopped it.
+    /// A signal stopped the program.
     #[error("{message}")]
     Stopped {
         /// Number of the signal.
@@ -25,7 +25,7 @@ pub enum Failure {
         /// What was written, and how to continue.
         message: String,
     },
-    /// The first of several processes says why; the exit code.
+    /// The first of several processes reports the failure; this one has its exit code.
     #[error("another process of the run has failed")]
     Elsewhere(u8),
 }
@@ -42,7 +42,7 @@ impl Failure {
         }
     }
 
-    /// This failure without a word, of a process that is not the first of several: they all fail alike.
+    /// The failure without a message, for a process that is not the first of several: they all fail alike.
     pub(super) fn unsaid(self) -> Self {
         Self::Elsewhere(self.exit_code())
     }

@@ -121,7 +121,7 @@ fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, cl
 }
 
 /// A command whose options take a negative number for a value, so that `--threads -1` is refused for its
-/// range and not as an option `-1` that nobody knows.
+/// range and not as an unknown option `-1`.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     let takes = |argument: &clap::Arg| argument.get_long().is_some() && argument.get_action().takes_values();
     command

@@ -36,7 +36,7 @@ pub(super) fn ignore_file_size_signal() {
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 
-/// There is no such signal (untested).
+/// Does nothing: the system has no such signal (untested).
 #[cfg(not(unix))]
 pub(super) fn ignore_file_size_signal() {}
 
@@ -56,7 +56,7 @@ fn suspension() -> Option<fn()> {
     })
 }
 
-/// There is no such signal (untested).
+/// No suspension: the system has no such signal (untested).
 #[cfg(not(unix))]
 fn suspension() -> Option<fn()> {
     None
@@ -67,7 +67,7 @@ fn hangup() -> Option<i32> {
     Some(signal_hook::consts::SIGHUP)
 }
 
-/// There is no such signal (untested).
+/// No number: the system has no such signal (untested).
 #[cfg(not(unix))]
 fn hangup() -> Option<i32> {
     None
@@ -78,7 +78,7 @@ fn on_request(interrupts: &Interrupts) {
     let _ = signal_hook::flag::register(signal_hook::consts::SIGUSR1, Arc::clone(&interrupts.checkpoint));
 }
 
-/// There is no such signal (untested).
+/// Does nothing: the system has no such signal (untested).
 #[cfg(not(unix))]
 fn on_request(_: &Interrupts) {}
 

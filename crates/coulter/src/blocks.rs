@@ -47,7 +47,7 @@ pub(crate) fn decompose(model: &Model, blocks: usize) -> Result<Decomposition, T
     Decomposition::by_cost(&model.grid, blocks, &cost).ok_or(TooManyBlocks { blocks, layers: [rows, planes] })
 }
 
-/// When the grid of a run is cut anew, and how long its block has taken since it was last.
+/// When the grid of a run is cut anew next, and how long its block has taken since the last time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Balance {
     /// Step at which the blocks are compared next.
@@ -66,7 +66,7 @@ impl Balance {
     /// Fraction of the time of a step that must be gained.
     const GAIN: f64 = 0.05;
 
-    /// That of a run which begins, or goes on, at a step.
+    /// The balance of a run which begins, or goes on, at a step.
     pub(crate) fn from(step: u64) -> Self {
         Self { next: step + Self::FIRST, interval: Self::FIRST, seconds: 0.0 }
     }

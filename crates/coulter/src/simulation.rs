@@ -35,20 +35,20 @@ pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
 /// How an observer wants a run to go on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Next {
-    /// As before.
+    /// The run goes on as before.
     Continue,
-    /// It is to stop here, for this reason; it can be resumed.
+    /// The run is to stop here, for this reason; it can be resumed.
     Stop(String),
-    /// It is broken: what would follow is of no use.
+    /// The run is broken: what would follow is of no use.
     BreakDown(Breakdown),
 }
 
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
-    /// It reached its end.
+    /// The run reached its end.
     Finished,
-    /// An observer stopped it between two steps, for this reason.
+    /// An observer stopped the run between two steps, for this reason.
     Asked(String),
     /// The physics failed, or an observer found the run broken.
     BrokenDown(Breakdown),
@@ -92,11 +92,11 @@ pub trait Observer<R: Precision = f64> {
 pub struct Simulation<R: Precision = f64> {
     /// The case.
     pub case: Case,
-    /// What is fixed.
+    /// The model: what does not change in a run.
     pub model: Model,
-    /// What changes.
+    /// The state: what changes in a run.
     pub state: State<R>,
-    /// What the probes saw.
+    /// The history of the samples of the probes.
     pub history: History,
     /// Seconds of wall clock spent in steps.
     pub wall_s: f64,
@@ -166,7 +166,8 @@ impl<R: Precision> Simulation<R> {
         Ok(Self::with_halo(case, model, state, halo))
     }
 
-    /// The same of a run resumed from a checkpoint that was read for this block (see [`blocks::of_case`]).
+    /// The block of a grid that a process has in a run resumed from a checkpoint that was read for this block
+    /// (see [`blocks::of_case`]).
     ///
     /// # Errors
     /// As [`Simulation::of_block`].
@@ -243,21 +244,22 @@ impl<R: Precision> Simulation<R> {
         Self::resume_model(case, model(case, R::LANES), checkpoint, wall_s)
     }
 
-    /// The same of a run that began with [`Simulation::of_model`], with the same model.
+    /// A run with the same model as before, resumed from a checkpoint of one that began with
+    /// [`Simulation::of_model`]; `wall_s` seconds of wall clock have been spent on it.
     #[must_use]
     pub fn resume_model(case: &Case, model: Model, checkpoint: Checkpoint<R>, wall_s: f64) -> Self {
         let Checkpoint { state, history, last_sample, .. } = checkpoint;
         Self::with_state(case, model, state).with_history(history, last_sample, wall_s)
     }
 
-    /// The same run, come so far: in the stage that was on.
+    /// The run with this history, in the stage that was on.
     fn with_history(mut self, history: History, last_sample: LastSample, wall_s: f64) -> Self {
         stages::restore(&history, &mut self.model);
         self.workspace.set_motions(&self.model);
         Self { history, last_sample, wall_s, ..self }
     }
 
-    /// The same run with its fields in double precision, for inspection.
+    /// The run with its fields in double precision, for inspection.
     #[must_use]
     pub fn to_f64(&self) -> Simulation {
         let Self { case, history, last_sample, wall_s, .. } = self;
@@ -322,9 +324,9 @@ impl<R: Precision> Simulation<R> {
 
     /// Runs the case to its end, or until an observer stops it.
     ///
-    /// Observers are told of a sample, and asked between two steps, in their order; the first that does not
-    /// want to go on ends the run, and those after it are not asked any more. All are told of the end. A run
-    /// that was stopped goes on where it stood when this is called again.
+    /// Observers are notified of a sample, and asked between two steps, in their order; the first that does
+    /// not want to go on ends the run, and those after it are not asked any more. All are notified of the
+    /// end. A run that was stopped goes on where it stood when this is called again.
     ///
     /// # Errors
     /// That of the first observer that fails: the run ends between two steps, and no observer is told.

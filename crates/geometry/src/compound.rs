@@ -21,7 +21,7 @@ pub struct Placed {
     pub rotation: DMat3,
 }
 
-/// A solid with a sphere round it, beyond which it need not be looked at.
+/// A solid with a sphere round it, beyond which the solid need not be looked at.
 #[derive(Debug)]
 struct Bounded {
     solid: Placed,
@@ -48,15 +48,15 @@ impl Bounded {
 /// Several solids that are one rigid body.
 #[derive(Debug)]
 pub struct Compound {
-    /// The solids as they were given: what forces are accounted for.
+    /// The solids as they were given, for which forces are accounted.
     parts: Vec<Bounded>,
-    /// What bounds it: its parts, and discs that stand for several of them.
+    /// The solids that bound the body: its parts, and discs that stand for several of them.
     solids: Vec<Bounded>,
 }
 
 impl Compound {
-    /// Of solids that do not overlap; solids without a surface are none of its parts. Discs of one diameter
-    /// on one axle that share faces are one disc, without edges in between.
+    /// A body of solids that do not overlap; solids without a surface are none of its parts. Discs of one
+    /// diameter on one axle that share faces are one disc, without edges in between.
     #[must_use]
     pub fn new(parts: Vec<Placed>) -> Self {
         let merged = merge(&parts);
@@ -67,7 +67,7 @@ impl Compound {
         Self { parts: parts.into_iter().map(Bounded::new).collect(), solids }
     }
 
-    /// The solids that bound it.
+    /// The solids that bound the body.
     fn solids(&self) -> impl Iterator<Item = &Placed> {
         self.solids.iter().map(|bounded| &bounded.solid)
     }

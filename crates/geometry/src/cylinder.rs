@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
-    /// In the tow direction.
+    /// The axis lies in the tow direction.
     X,
     /// Horizontal, perpendicular to the tow, like a disc's axle.
     Y,
@@ -47,7 +47,7 @@ impl Cylinder {
         Disc { diameter: self.diameter, thickness: self.length }
     }
 
-    /// From the body frame to that of the disc, whose axle is y.
+    /// Rotates from the body frame to that of the disc, whose axle is y.
     fn disc_frame(self, x: DVec3) -> DVec3 {
         match self.axis {
             Axis::X => DVec3::new(x.z, x.x, x.y),
@@ -62,7 +62,7 @@ impl Cylinder {
         [spacing.y, spacing.x.min(spacing.z)]
     }
 
-    /// From the frame of the disc to the body frame.
+    /// Rotates from the frame of the disc to the body frame.
     fn body_frame(self, x: DVec3) -> DVec3 {
         match self.axis {
             Axis::X => DVec3::new(x.y, x.z, x.x),

@@ -15,7 +15,7 @@ pub(super) struct Edge {
     pub(super) from: DVec2,
     /// Last point [m].
     pub(super) to: DVec2,
-    /// The circle that it follows; `None` if it is straight.
+    /// The circle that the edge follows; `None` if it is straight.
     arc: Option<Arc>,
 }
 
@@ -32,11 +32,11 @@ struct Arc {
 /// Where an edge is nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Foot {
-    /// At its first point.
+    /// At the first point of the edge.
     Start,
-    /// Between its ends.
+    /// Between the ends of the edge.
     Within,
-    /// At its last point.
+    /// At the last point of the edge.
     End,
 }
 
@@ -55,7 +55,7 @@ impl Edge {
         self.arc.map_or_else(|| self.from.distance(self.to), |arc| arc.radius * arc.turn.abs())
     }
 
-    /// The point at a fraction of its length.
+    /// The point at a fraction of the length of the edge.
     pub(super) fn at(&self, fraction: f64) -> DVec2 {
         match self.arc {
             None => self.from.lerp(self.to, fraction),
@@ -63,7 +63,7 @@ impl Edge {
         }
     }
 
-    /// Unit vector along it at a fraction of its length.
+    /// Unit vector along the edge at a fraction of its length.
     pub(super) fn tangent(&self, fraction: f64) -> DVec2 {
         match self.arc {
             None => (self.to - self.from).normalize_or_zero(),
@@ -71,13 +71,13 @@ impl Edge {
         }
     }
 
-    /// Outward unit normal, to its right, at a fraction of its length.
+    /// Outward unit normal, to the right of the edge, at a fraction of its length.
     pub(super) fn normal(&self, fraction: f64) -> DVec2 {
         -self.tangent(fraction).perp()
     }
 
-    /// Where it is nearest to a point, and the distance [m]: signed where that is between its ends, positive
-    /// to its right.
+    /// Where the edge is nearest to a point, and the distance [m]: signed where that is between its ends,
+    /// positive to its right.
     pub(super) fn nearest(&self, x: DVec2) -> (Foot, f64) {
         let within = match self.arc {
             None => {
@@ -125,7 +125,7 @@ impl Edge {
             .map(|arc| (arc.radius, arc.radius * (0.5 * arc.turn).tan()))
     }
 
-    /// Number of pieces into which it is divided for a mesh or an integral.
+    /// Number of pieces into which the edge is divided for a mesh or an integral.
     pub(super) fn pieces(&self) -> usize {
         self.arc.map_or(1, |arc| (arc.turn.abs() / PIECE * (1.0 - 1e-9)).ceil().max(1.0) as usize)
     }
@@ -143,8 +143,8 @@ impl Edge {
         }
     }
 
-    /// ∫ f(u, v) dv along it, by Gauss' rule of four points on each piece: exact for polynomials up to the
-    /// sixth degree on a line, and to rounding on an arc.
+    /// ∫ f(u, v) dv along the edge, by Gauss' rule of four points on each piece: exact for polynomials up to
+    /// the sixth degree on a line, and to rounding on an arc.
     pub(super) fn integral(&self, f: &impl Fn(DVec2) -> f64) -> f64 {
         const POINTS: [(f64, f64); 4] = [
             (-0.861_136_311_594_052_6, 0.347_854_845_137_453_9),
@@ -175,7 +175,7 @@ impl Edge {
             .map_or_else(|| Self::line(ends[0], ends[1]), |arc| Self::arc(ends, flip(arc.centre), arc.turn))
     }
 
-    /// Whether it is another edge within a distance [m].
+    /// Whether the edge is another edge within a distance [m].
     pub(super) fn agrees(&self, other: &Self, tolerance: f64) -> bool {
         [0.0, 0.5, 1.0].iter().all(|fraction| self.at(*fraction).distance(other.at(*fraction)) <= tolerance)
     }

@@ -3,15 +3,15 @@
 /// A side of an edge: an edge of one triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Side {
-    /// Lower number of its points.
+    /// Lower number of the points of the edge.
     pub(super) low: u32,
-    /// Higher number of its points.
+    /// Higher number of the points of the edge.
     pub(super) high: u32,
     /// The triangle.
     pub(super) triangle: u32,
     /// The edge goes from this corner of the triangle to the next.
     pub(super) corner: u8,
-    /// Whether the triangle goes along it from the higher to the lower number.
+    /// Whether the triangle goes along the edge from the higher to the lower number.
     pub(super) is_backward: bool,
 }
 

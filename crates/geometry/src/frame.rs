@@ -8,7 +8,7 @@ use glam::DVec3;
 pub struct Frame;
 
 impl Shape for Frame {
-    /// That of a point so far away that no cell is near it.
+    /// Distance of a point so far away that no cell is near it [m].
     fn signed_distance(&self, _x: DVec3) -> f64 {
         f64::MAX
     }

@@ -14,8 +14,8 @@ const STACK: usize = 64;
 struct Node {
     low: DVec3,
     high: DVec3,
-    /// Of a leaf its first triangle, otherwise the number of its second child; the first child follows the
-    /// node.
+    /// First triangle of a leaf; of any other node the number of its second child, while the first child
+    /// follows the node.
     first: u32,
     /// Number of triangles of a leaf, otherwise 0.
     count: u32,

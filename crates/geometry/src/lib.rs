@@ -236,7 +236,7 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     fn part_of(&self, _x: DVec3) -> usize {
         0
     }
-    /// Whether it has a surface.
+    /// Whether the shape has a surface.
     fn has_surface(&self) -> bool {
         true
     }

@@ -15,14 +15,14 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// Those of a solid with the centroid at the origin and its principal axes along x, y, z, about which the
-    /// moments of inertia per mass [m²] are given.
+    /// Mass properties of a solid with the centroid at the origin and its principal axes along x, y, z, about
+    /// which the moments of inertia per mass [m²] are given.
     pub(super) fn principal(volume: f64, inertia: DVec3) -> Self {
         Self { volume, centroid: DVec3::ZERO, inertia: DMat3::from_diagonal(inertia) }
     }
 
-    /// Those of the solid that a closed triangle mesh bounds: sums over the tetrahedra between its triangles
-    /// and the origin (Tonon 2004).
+    /// Mass properties of the solid that a closed triangle mesh bounds: sums over the tetrahedra between its
+    /// triangles and the origin (Tonon 2004).
     #[must_use]
     pub fn of_mesh(mesh: &Mesh) -> Self {
         let (mut volume, mut first, mut second) = (0.0, DVec3::ZERO, DMat3::ZERO);
@@ -56,7 +56,7 @@ impl MassProperties {
         Self { centroid: self.centroid + by, ..*self }
     }
 
-    /// Those of several solids of one density together.
+    /// Mass properties of several solids of one density together.
     pub(super) fn sum(solids: impl Iterator<Item = Self>) -> Self {
         let solids: Vec<Self> = solids.collect();
         let volume: f64 = solids.iter().map(|solid| solid.volume).sum();

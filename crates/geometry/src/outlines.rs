@@ -11,11 +11,11 @@ use std::f64::consts::TAU;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Bevel {
-    /// From both faces alike.
+    /// Bevelled from both faces alike.
     Both,
-    /// From the face at the low end only: of a disc the right one (−y), of a blade the back (−x).
+    /// Bevelled from the face at the low end only: of a disc the right one (−y), of a blade the back (−x).
     Low,
-    /// From the face at the high end only: of a disc the left one (+y), of a blade the front (+x).
+    /// Bevelled from the face at the high end only: of a disc the left one (+y), of a blade the front (+x).
     High,
 }
 
@@ -36,7 +36,7 @@ pub enum DiscRim {
         angle: f64,
         /// Thickness of the edge, along the axle [m]; 0 for a knife edge.
         edge: f64,
-        /// Faces from which it is bevelled.
+        /// Faces from which the rim is bevelled.
         bevel: Bevel,
     },
 }
@@ -99,9 +99,9 @@ fn turned_over(rim: DiscRim) -> DiscRim {
 
 /// The two faces of a disc: level, or arcs about a centre on the axle.
 struct Faces {
-    /// Heights at which they meet the axle [m].
+    /// Heights at which the faces meet the axle [m].
     at_axle: [f64; 2],
-    /// Height of the common centre of their arcs [m]; `None` for level faces.
+    /// Height of the common centre of the arcs [m]; `None` for level faces.
     centre: Option<f64>,
 }
 
@@ -110,7 +110,7 @@ impl Faces {
         Self { at_axle: [-half, half], centre: None }
     }
 
-    /// With the high face hollow.
+    /// The faces of a dished disc, the high one hollow.
     fn dished(radius: f64, thickness: f64, depth: f64) -> Option<Self> {
         // A hollow deeper than a hemisphere would have its widest place inside.
         if depth >= radius {
@@ -208,9 +208,9 @@ pub fn cone(diameter: f64, apex: f64, shaft: f64, length: f64) -> Option<Profile
 /// The grousers of a wheel: bars of rectangular cross-section across its whole width.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Grousers {
-    /// How many, evenly spaced; one of them points straight down.
+    /// Number of grousers, evenly spaced; one of them points straight down.
     pub number: u32,
-    /// How far they stand out from the rim [m].
+    /// How far grousers stand out from the rim [m].
     pub height: f64,
     /// Thickness of a grouser along the rim [m].
     pub thickness: f64,

@@ -11,7 +11,7 @@ pub struct SurfacePoint {
     pub normal: DVec3,
     /// Area of the surface round the point [m²].
     pub area: f64,
-    /// That with its share of what lies within the inset of the edges of its face and has no points [m²]:
-    /// over the points of a face they add up to the face.
+    /// Area round the point and its share of what lies within the inset of the edges of its face and has no
+    /// points [m²]: over the points of a face they add up to the face.
     pub represents: f64,
 }

@@ -68,7 +68,7 @@ impl Polyhedron {
         &self.parts.hierarchy
     }
 
-    /// Whether it is its own mirror image in the plane through the origin across an axis, up to a
+    /// Whether the polyhedron is its own mirror image in the plane through the origin across an axis, up to a
     /// distance [m].
     #[must_use]
     pub fn is_mirrored(&self, axis: usize, tolerance: f64) -> bool {

@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub struct Profile {
     begin: DVec2,
     edges: Vec<Edge>,
-    /// A box round each [`GROUP`] of its edges, so that the nearest edge of a long profile is found among
+    /// A box round each [`GROUP`] of the edges, so that the nearest edge of a long profile is found among
     /// few.
     boxes: Vec<Bounds>,
 }
@@ -53,7 +53,7 @@ impl Profile {
         self.edges.push(edge);
     }
 
-    /// Where it ends so far.
+    /// Last point of the profile so far [m].
     fn end(&self) -> DVec2 {
         self.edges.last().map_or(self.begin, |edge| edge.to)
     }
@@ -99,7 +99,7 @@ impl Profile {
         &self.edges
     }
 
-    /// Whether it is a closed curve.
+    /// Whether the profile is a closed curve.
     fn is_closed(&self) -> bool {
         self.end() == self.begin
     }
@@ -159,7 +159,8 @@ impl Profile {
         self.edges.iter().map(|edge| edge.integral(&f)).sum()
     }
 
-    /// Points along it, with the arcs divided; of a closed curve without the last, which is the first.
+    /// Points along the profile, with the arcs divided; of a closed curve without the last, which is the
+    /// first.
     pub(super) fn points(&self) -> Vec<DVec2> {
         let mut points = vec![self.begin];
         for edge in &self.edges {

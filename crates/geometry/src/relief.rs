@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub struct Relief {
     /// Heights that were measured.
     pub map: Option<Arc<HeightField>>,
-    /// Furrows on top of these.
+    /// Furrows on top of the heights of the map.
     pub furrows: Option<Furrows>,
 }
 
@@ -42,22 +42,22 @@ impl Relief {
         self.extremes([[f64::NEG_INFINITY, f64::INFINITY]; 2])
     }
 
-    /// Tangent of the steepest slope that it can have between two places.
+    /// Tangent of the steepest slope that the surface can have between two places.
     #[must_use]
     pub fn steepest(&self, within: [[f64; 2]; 2]) -> f64 {
         self.map.as_ref().map_or(0.0, |map| map.steepest(within))
             + self.furrows.map_or(0.0, |furrows| furrows.steepest())
     }
 
-    /// Whether it is the same everywhere along x (0) or y (1).
+    /// Whether the relief is the same everywhere along x (0) or y (1).
     #[must_use]
     pub fn is_uniform_along(&self, axis: usize) -> bool {
         self.map.as_ref().is_none_or(|map| map.is_uniform_along(axis))
             && self.furrows.is_none_or(|furrows| furrows.is_uniform_along(axis))
     }
 
-    /// Whether it is its own mirror image in the plane x = 0 (0) or y = 0 (1): a map only where it is uniform
-    /// along that axis.
+    /// Whether the relief is its own mirror image in the plane x = 0 (0) or y = 0 (1): a map only where it is
+    /// uniform along that axis.
     #[must_use]
     pub fn is_mirrored(&self, axis: usize) -> bool {
         self.map.as_ref().is_none_or(|map| map.is_uniform_along(axis))
@@ -98,7 +98,7 @@ impl HeightField {
         self.extremes([[f64::NEG_INFINITY, f64::INFINITY]; 2])
     }
 
-    /// Numbers of its lines across x and y.
+    /// Numbers of lines across x and y.
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
         [self.lines[0].len(), self.lines[1].len()]
@@ -179,7 +179,7 @@ pub struct Furrows {
     pub spacing: f64,
     /// Height of the crests above the troughs [m].
     pub depth: f64,
-    /// Direction across them, from crest to crest: a unit vector along x and y.
+    /// Direction across the furrows, from crest to crest: a unit vector along x and y.
     pub across: [f64; 2],
     /// Distance of a crest from x = y = 0 in this direction [m].
     pub offset: f64,
@@ -198,7 +198,7 @@ impl Furrows {
             }
     }
 
-    /// Tangent of their steepest slope.
+    /// Tangent of the steepest slope of the furrows.
     #[must_use]
     pub fn steepest(&self) -> f64 {
         let over_spacing = match self.shape {

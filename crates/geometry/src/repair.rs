@@ -26,7 +26,7 @@ const SAME: [f64; 2] = [1e-9, 1e-6];
 /// Depth over the size of the body up to which parts may touch or overlap: what the single precision of STL
 /// leaves open.
 const TOUCHING: f64 = 1e-6;
-/// Volume over that of the bounding box below which there is none.
+/// Volume over that of the bounding box below which a surface encloses no volume.
 const NO_VOLUME: f64 = 1e-9;
 
 /// A solid, and what was repaired of its surface.
@@ -34,9 +34,9 @@ const NO_VOLUME: f64 = 1e-9;
 pub struct Repaired {
     /// The solid.
     pub solid: Polyhedron,
-    /// Closed surfaces of which it consists, those of cavities included.
+    /// Closed surfaces of which the solid consists, those of cavities included.
     pub shells: usize,
-    /// Those of cavities.
+    /// Closed surfaces that bound cavities.
     pub cavities: usize,
     /// Triangles that joined a point to itself and were dropped.
     pub dropped: usize,

@@ -23,7 +23,7 @@ impl Revolved {
         Self { profile, axis }
     }
 
-    /// From the frame of the profile, whose axis is y, to the body frame.
+    /// Rotates from the frame of the profile, whose axis is y, to the body frame.
     fn body_frame(&self, x: DVec3) -> DVec3 {
         match self.axis {
             Axis::X => DVec3::new(x.y, x.z, x.x),
@@ -32,7 +32,7 @@ impl Revolved {
         }
     }
 
-    /// From the body frame to that of the profile.
+    /// Rotates from the body frame to that of the profile.
     fn profile_frame(&self, x: DVec3) -> DVec3 {
         match self.axis {
             Axis::X => DVec3::new(x.z, x.x, x.y),
@@ -95,9 +95,9 @@ impl Revolved {
         [inset(0), 1.0 - inset(1)]
     }
 
-    /// Portion of its area that an edge keeps, in a direction round the axis: an arc that rounds a corner
-    /// within the inset is part of the corner, and one with twice the inset, about a cell, for its radius is
-    /// a surface of its own.
+    /// Portion of the area of an edge that it keeps, in a direction round the axis: an arc that rounds a
+    /// corner within the inset is part of the corner, and one with twice the inset, about a cell, for its
+    /// radius is a surface of its own.
     fn share(&self, rows: &Rows, direction: [f64; 2]) -> f64 {
         rows.edge.rounding().map_or(1.0, |(radius, _)| {
             let inset = (rows.inset * self.turned(rows.edge.tangent(0.5), direction)).length();
@@ -109,9 +109,9 @@ impl Revolved {
 /// Rows of contact points round an edge.
 struct Rows {
     edge: Edge,
-    /// How far the sharp convex corners before and after it are from its ends [m].
+    /// How far the sharp convex corners before and after the edge are from its ends [m].
     corners: [f64; 2],
-    /// Inset from such a corner along the axes of the body [m].
+    /// Inset from a sharp corner along the axes of the body [m].
     inset: DVec3,
     /// Spacing of the points of a row [m].
     spacing: f64,
@@ -139,7 +139,7 @@ impl Shape for Revolved {
         self.profile.support(self.flat(direction))
     }
 
-    /// By Pappus' theorem and its like for higher moments.
+    /// Mass properties by Pappus' theorem and its extension to higher moments.
     fn mass_properties(&self) -> MassProperties {
         let volume = self.profile.integral(|x| x.x.powi(2) / 2.0);
         let along = self.profile.integral(|x| x.x.powi(2) / 2.0 * x.y) / volume;

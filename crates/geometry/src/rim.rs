@@ -107,7 +107,7 @@ impl Outline {
         }
     }
 
-    /// Arcs of its corners [m].
+    /// Arcs of the corners of the outline [m].
     fn corners(&self) -> Vec<f64> {
         match self {
             Self::Circle { .. } => Vec::new(),

@@ -31,7 +31,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Of a shape with a `mesh` and a signed distance [m].
+    /// The plan of a shape with a `mesh` and a signed distance [m].
     pub(super) fn new(mesh: &Mesh, distance: impl Fn(DVec3) -> f64) -> Self {
         Self { facets: Facets::new(mesh, &normals(mesh)), is_mirrored: is_mirrored(mesh, distance) }
     }

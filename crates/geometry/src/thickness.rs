@@ -17,7 +17,7 @@ pub struct Thin {
     pub cells: f64,
     /// Thickness [m].
     pub thickness: f64,
-    /// Where, on the surface, in the body frame [m].
+    /// Place of the thickness on the surface, in the body frame [m].
     pub place: DVec3,
 }
 

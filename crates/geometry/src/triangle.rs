@@ -5,9 +5,9 @@ use glam::DVec3;
 /// What of a triangle is nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Feature {
-    /// One of its corners.
+    /// One of the corners of the triangle.
     Corner(u8),
-    /// The edge from this corner to the next.
+    /// The edge from one corner of the triangle to the next.
     Edge(u8),
     /// The inside of the triangle.
     Face,

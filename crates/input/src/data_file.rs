@@ -5,9 +5,9 @@ use std::path::Path;
 /// What is wrong with a file, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileProblem {
-    /// What is wrong with it, and in which line.
+    /// What is wrong with the file, and in which line.
     pub message: String,
-    /// What to do about it.
+    /// What to do about the file.
     pub cure: String,
 }
 

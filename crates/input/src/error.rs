@@ -11,9 +11,9 @@ use std::{fmt, ops::Range, sync::Arc};
 pub struct LocatedProblem {
     /// Path of the key; empty where the problem concerns the whole case.
     pub path: String,
-    /// What is wrong.
+    /// What is wrong with the case.
     pub message: String,
-    /// How to fix it.
+    /// How to fix the problem.
     pub cure: String,
     /// Line, counted from 1; 0 where the problem is not in a text.
     pub line: usize,
@@ -78,7 +78,7 @@ pub struct CaseError {
     pub name: String,
     /// The first few problems, in the order of the file.
     pub problems: Vec<LocatedProblem>,
-    /// How many more there are.
+    /// Number of further problems.
     pub unseen: usize,
 }
 

@@ -1,5 +1,4 @@
-//! Characters that nobody sees in what was typed: they have no use there, and would act on terminals and
-//! pages.
+//! Invisible characters in what was typed: they have no use there, and would act on terminals and pages.
 
 use super::problem::{Aim, Problem};
 use super::tree::{Entry, Value, join};

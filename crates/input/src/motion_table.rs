@@ -15,7 +15,7 @@ const MAX_BYTES: u64 = 8 << 20;
 pub struct TabledMotion {
     /// The motion over time.
     pub course: Course,
-    /// What is to be said of how it was read.
+    /// Remarks on how the table was read.
     pub remarks: Vec<String>,
 }
 

@@ -11,7 +11,7 @@ use std::{ops::Range, sync::Arc};
 pub struct TextSpan {
     /// Number of the text; 0 is the case file, the others are one `--set` each.
     pub source: usize,
-    /// Range of bytes in it.
+    /// Range of bytes in the text.
     pub span: Range<usize>,
 }
 
@@ -30,7 +30,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// No entry yet, of a case file with this name and text.
+    /// The places of a case file with this name and text, without an entry yet.
     pub(super) fn new(name: &str, text: &str) -> Self {
         Self { sources: vec![source(name, text)], entries: BTreeMap::new() }
     }

@@ -10,9 +10,9 @@ pub struct Problem {
     /// Path of the key, such as `soil.cohesion`, `body.disc.forward.ramp` or `ground.velocity[1]`; of a
     /// section, such as `soil`, where it concerns several keys; empty where it concerns the case as a whole.
     pub path: String,
-    /// What is wrong.
+    /// What is wrong with the case.
     pub message: String,
-    /// How to fix it.
+    /// How to fix the problem.
     pub cure: String,
 }
 
@@ -87,7 +87,7 @@ impl Problems {
         }
     }
 
-    /// Adds those of another list.
+    /// Adds the problems of another list.
     pub fn append(&mut self, others: Self) {
         others.found.into_iter().for_each(|(aim, problem)| self.push(aim, problem));
     }
@@ -104,7 +104,7 @@ impl Problems {
         &self.remarks
     }
 
-    /// Whether there is none.
+    /// Whether there is no problem.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()

@@ -13,7 +13,7 @@ pub struct Measure {
     pub name: &'static str,
     /// Dimension of the measure.
     pub dimension: Dimension,
-    /// The unit in which it is shown: that of the SI, degrees for an angle.
+    /// Unit in which the quantity is shown: that of the SI, degrees for an angle.
     pub unit: &'static str,
     /// A value as one would write it.
     pub example: &'static str,
@@ -104,8 +104,8 @@ pub fn parse(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
     Err(QuantityError::WrongDimension { text, found, needed: measure.name, meant })
 }
 
-/// Without a suggestion that leads astray: a unit that stands alone is like one of the same measure, or like
-/// none.
+/// The error without a suggestion that leads astray: a unit that stands alone is like one of the same
+/// measure, or like none.
 fn sensible(error: QuantityError, text: &str, measure: &Measure) -> QuantityError {
     match error {
         QuantityError::UnknownUnit { unit, .. } if split_number(text.trim()).1.trim() == unit => {

@@ -3,7 +3,7 @@
 /// A unit in which a quantity is shown, and its size in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
-    /// Its symbol.
+    /// Symbol of the unit.
     pub name: &'static str,
     /// Size in the SI unit.
     pub size: f64,

@@ -7,14 +7,14 @@ use super::problem::Problem;
 use super::tree::{Entry, Value, join};
 use toml::{Spanned, de::DeTable, de::DeValue};
 
-/// What was read.
+/// The content of a TOML text.
 #[derive(Debug)]
 pub struct TomlTree {
     /// The tree.
     pub tree: Vec<Entry>,
-    /// Where its entries stand.
+    /// Where the entries of the tree stand.
     pub places: Places,
-    /// What could not be read.
+    /// Problems of what could not be read.
     pub problems: Vec<(TextSpan, Problem)>,
 }
 

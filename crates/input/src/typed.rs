@@ -18,7 +18,7 @@ pub enum Given {
     List(Vec<f64>),
     /// Several words.
     Words(Vec<String>),
-    /// As typed.
+    /// A value as it was typed.
     AsTyped(Value),
     /// How a degree of freedom moves.
     Motion(Motion),
@@ -39,19 +39,19 @@ pub struct Motion {
     pub speed: Option<f64>,
     /// Force [N] or torque [N m].
     pub load: Option<f64>,
-    /// When it begins [s].
+    /// When the motion begins [s].
     pub start: f64,
-    /// How long it takes to reach its full value [s].
+    /// How long the motion takes to reach its full value [s].
     pub ramp: f64,
-    /// When it ends [s].
+    /// When the motion ends [s].
     pub end: Option<f64>,
     /// Slip of a rolling body.
     pub slip: Option<f64>,
-    /// How far it goes [m or rad].
+    /// How far the motion goes [m or rad].
     pub displacement: Option<f64>,
     /// The file of a table.
     pub table: Option<String>,
-    /// The word that says which of its times is the start.
+    /// The word that says which of the times of the table is the start.
     pub from: Option<String>,
     /// Whether a time was given.
     pub is_timed: bool,
@@ -64,7 +64,7 @@ pub struct Until {
     pub body: String,
     /// What the body reaches: a key of `until`.
     pub key: &'static str,
-    /// The value that it reaches, in SI units.
+    /// The value that the quantity reaches, in SI units.
     pub value: f64,
 }
 
@@ -77,7 +77,7 @@ pub struct Section {
     pub folder: PathBuf,
     given: BTreeMap<&'static str, Given>,
     defaults: BTreeMap<&'static str, Given>,
-    /// Sections in it: motions of bodies in a stage.
+    /// Sections in this one: motions of bodies in a stage.
     pub inner: Vec<Section>,
 }
 

@@ -58,7 +58,7 @@ pub enum QuantityError {
     Malformed {
         /// The text after the number.
         unit: String,
-        /// What is wrong with it.
+        /// What is wrong with the unit.
         why: &'static str,
     },
     /// A unit, but of something else.
@@ -66,9 +66,9 @@ pub enum QuantityError {
     WrongDimension {
         /// What was typed.
         text: String,
-        /// What it measures.
+        /// What the unit measures.
         found: String,
-        /// What is needed.
+        /// What quantity is needed.
         needed: &'static str,
         /// The unit with kilonewtons for knots, where that is one of what is needed.
         meant: Option<String>,

@@ -1,4 +1,4 @@
-//! How many cores this program may use, and how many threads a run has where nobody says.
+//! How many cores this program may use, and how many threads a run has by default.
 //!
 //! The scheduler's word comes first, then OpenMP's, then what the system grants: `available_parallelism` of
 //! the standard library, which heeds affinity and the quotas of control groups of both versions. Several
@@ -32,15 +32,15 @@ pub fn threads(asked: usize) -> usize {
     if asked == 0 { threads_by_default().count } else { asked }
 }
 
-/// Threads of a run where nobody says: `SLURM_CPUS_PER_TASK`, else `OMP_NUM_THREADS`, else one per core that
-/// this process may use.
+/// Threads of a run by default: `SLURM_CPUS_PER_TASK`, else `OMP_NUM_THREADS`, else one per core that this
+/// process may use.
 #[must_use]
 pub fn threads_by_default() -> Cores {
     Place::here(&variable).cores(&[OF_TASK, OPENMP])
 }
 
-/// Cores that this program may fill with runs side by side: the same without OpenMP's number, which is that
-/// of one run.
+/// Cores that this program may fill with runs side by side: without OpenMP's number, which is that of one
+/// run.
 #[must_use]
 pub fn cores() -> Cores {
     Place::here(&variable).cores(&[OF_TASK])
@@ -57,7 +57,7 @@ struct Place<'a> {
     variable: &'a dyn Fn(&str) -> Option<String>,
     /// Cores that this process may use.
     own: usize,
-    /// Cores that all processes of its launcher may use together.
+    /// Cores that all processes of this process's launcher may use together.
     together: usize,
 }
 
@@ -69,8 +69,8 @@ impl<'a> Place<'a> {
         Self { variable, own, together: together(own, mask("self"), launcher) }
     }
 
-    /// The first of these variables that is set, or this process's share; never more than it may use, as
-    /// threads that wait for each other on one core are slower than one.
+    /// The cores that the first of these variables asks for that is set, or this process's share; never more
+    /// than it may use, as threads that wait for each other on one core are slower than one.
     fn cores(&self, names: &[&str]) -> Cores {
         let mut notes = Vec::new();
         for name in names {
@@ -155,7 +155,7 @@ fn parent() -> Option<String> {
     Some(std::os::unix::process::parent_id().to_string())
 }
 
-/// Not known (untested).
+/// Nothing: the parent process is not known (untested).
 #[cfg(not(unix))]
 fn parent() -> Option<String> {
     None

@@ -11,9 +11,9 @@ const GROUPS: &str = "/sys/fs/cgroup";
 /// Memory that is available, and what sets the limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemoryLeft {
-    /// How much [bytes].
+    /// Memory that is left [bytes].
     pub bytes: f64,
-    /// Whose it is, to be read after "free": empty for that of the machine.
+    /// Owner of the memory, to be read after "free": empty for that of the machine.
     pub of: &'static str,
 }
 
@@ -44,7 +44,7 @@ pub fn memory_left() -> Option<MemoryLeft> {
     known.min_by(|a, b| a.bytes.total_cmp(&b.bytes))
 }
 
-/// As [`memory_left`], the number alone [bytes].
+/// Memory that is available [bytes], as [`memory_left`] finds it.
 #[must_use]
 pub fn memory_available() -> Option<f64> {
     memory_left().map(|left| left.bytes)
@@ -57,7 +57,7 @@ fn limits() -> [Option<f64>; 2] {
     [Resource::As, Resource::Data].map(|resource| getrlimit(resource).current.map(|bytes| bytes as f64))
 }
 
-/// There are none (untested).
+/// No limits: the system has none (untested).
 #[cfg(not(unix))]
 fn limits() -> [Option<f64>; 2] {
     [None; 2]

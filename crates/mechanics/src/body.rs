@@ -24,7 +24,7 @@ pub struct Body {
     /// the slice over the width that the rest refers to. Impulses act on this fraction; everything else
     /// refers to the whole body.
     pub modelled_fraction: f64,
-    /// The fluid that it moves in.
+    /// The fluid that the body moves in.
     pub fluid: Fluid,
 }
 
@@ -201,7 +201,7 @@ impl Momentum {
     }
 }
 
-/// What changes of a body.
+/// The state of a body: what changes in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BodyState {
     /// Pose at the end of the last step.

@@ -35,7 +35,7 @@ impl Configuration {
         half: DMat3::IDENTITY,
     };
 
-    /// Of a body that starts at a pose and moves at a twist for `dt` [s].
+    /// The configuration of a body that starts at a pose and moves at a twist for `dt` [s].
     #[must_use]
     pub fn new(pose: &Pose, twist: &Twist, dt: f64) -> Self {
         let turn = dt * twist.angular;

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 pub struct Course {
     /// Times [s], rising.
     times: Vec<f64>,
-    /// Displacement at each of them [m or rad].
+    /// Displacement at each of the times [m or rad].
     displacements: Vec<f64>,
-    /// Speed at each of them [m/s or rad/s].
+    /// Speed at each of the times [m/s or rad/s].
     speeds: Vec<f64>,
 }
 
@@ -36,7 +36,7 @@ impl Course {
         Some(Self { times, displacements, speeds })
     }
 
-    /// With speeds [m/s or rad/s] at rising times [s], linear between them. `None` as for
+    /// A course with speeds [m/s or rad/s] at rising times [s], linear between them. `None` as for
     /// [`Course::through`].
     #[must_use]
     pub fn with_speeds(times: Vec<f64>, speeds: Vec<f64>) -> Option<Self> {
@@ -51,19 +51,19 @@ impl Course {
         Some(Self { times, displacements, speeds })
     }
 
-    /// This course, later by a time [s].
+    /// The course, later by a time [s].
     #[must_use]
     pub fn later(&self, by: f64) -> Self {
         Self { times: self.times.iter().map(|time| time + by).collect(), ..self.clone() }
     }
 
-    /// Times of its first and its last point [s].
+    /// Times of the first and the last point of the course [s].
     #[must_use]
     pub fn span(&self) -> [f64; 2] {
         [self.times[0], self.times[self.times.len() - 1]]
     }
 
-    /// The numbers that it consists of: times, displacements and speeds.
+    /// The numbers of which the course consists: times, displacements and speeds.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         self.times.iter().chain(&self.displacements).chain(&self.speeds).copied()
     }
@@ -101,7 +101,7 @@ impl Course {
         }
     }
 
-    /// Times at which it passes its points or turns round, until a time and with it [s], rising.
+    /// Times at which the course passes its points or turns round, until a time and with it [s], rising.
     #[must_use]
     pub fn moments(&self, until: f64) -> Vec<f64> {
         // Between two points it turns round only where speeds were given, which are linear there.
@@ -123,7 +123,7 @@ impl Course {
         all.fold([0.0, 0.0], |[low, high], d| [low.min(d), high.max(d)])
     }
 
-    /// When it begins to move [s]: its last point at rest, or its first.
+    /// When the course begins to move [s]: its last point at rest, or its first.
     #[must_use]
     pub fn begins(&self) -> f64 {
         let moves =

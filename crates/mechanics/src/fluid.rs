@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 /// What the fluid round a body does to it. The whole body is in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Fluid {
-    /// Mass of the fluid that it displaces [kg]: the weight of that lifts it (Archimedes).
+    /// Mass of the fluid that the body displaces [kg], whose weight lifts the body (Archimedes).
     pub displaced: f64,
-    /// Centre of its volume, from the reference point [m].
+    /// Centre of the displaced volume, from the reference point [m].
     pub centre: DVec3,
     /// Drag over the square of the speed, ½ρC_dA [kg/m].
     pub drag: f64,

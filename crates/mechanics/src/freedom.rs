@@ -13,8 +13,8 @@ pub(crate) struct Directions {
 }
 
 impl Directions {
-    /// Of a body whose rotational freedoms have the given axes. A body that rotates freely needs none of
-    /// them.
+    /// The free directions of a body whose rotational freedoms have the given axes. A body that rotates
+    /// freely needs none of them.
     pub(crate) fn new(body: &Body, axes: &Axes) -> Self {
         let mut directions = Self::default();
         let axes = if body.rotates_freely() { &DVec3::AXES } else { axes };

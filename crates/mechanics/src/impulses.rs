@@ -6,39 +6,39 @@ use crate::wrench::Wrench;
 /// The impulses on a body in one step, about its reference point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Impulses {
-    /// Of the loads, and of the drag of a fluid.
+    /// Impulse of the loads, and of the drag of a fluid.
     pub load: Wrench,
-    /// Of gravity, and of buoyancy.
+    /// Impulse of gravity, and of buoyancy.
     pub gravity: Wrench,
-    /// Of contact, on the whole body.
+    /// Impulse of contact, on the whole body.
     pub contact: Wrench,
-    /// Of the joints, as a reaction to loads, contact and changes of prescribed speeds.
+    /// Impulse of the joints, as a reaction to loads, contact and changes of prescribed speeds.
     pub joint_reaction: Wrench,
-    /// Of the joints, within the step: as a reaction to gravity and inertia, and of springs.
+    /// Impulse of the joints, within the step: as a reaction to gravity and inertia, and of springs.
     pub joint: Wrench,
-    /// Of drives and supports, as a reaction to loads and contact, and to change prescribed speeds.
+    /// Impulse of drives and supports, as a reaction to loads and contact, and to change prescribed speeds.
     pub drive_reaction: Wrench,
-    /// Of drives and supports, within the step.
+    /// Impulse of drives and supports, within the step.
     pub drive: Wrench,
 }
 
 /// Work done on a whole body in one step [J], by what does it. The sum is the change of its kinetic energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work {
-    /// Of the loads, and of the drag of a fluid.
+    /// Work of the loads, and of the drag of a fluid [J].
     pub load: f64,
-    /// Of gravity and buoyancy: what the body loses in potential energy.
+    /// Work of gravity and buoyancy: what the body loses in potential energy [J].
     pub gravity: f64,
-    /// Of contact.
+    /// Work of contact [J].
     pub contact: f64,
-    /// Of the joints; they pass it on from body to body.
+    /// Work of the joints [J]; they pass it on from body to body.
     pub joint: f64,
-    /// Of drives and supports.
+    /// Work of drives and supports [J].
     pub drive: f64,
 }
 
 impl Work {
-    /// All of it [J].
+    /// Total work [J].
     #[must_use]
     pub fn total(&self) -> f64 {
         self.load + self.gravity + self.contact + self.joint + self.drive

@@ -19,34 +19,35 @@ impl Inertia {
     /// No mass: for a body all of whose motions are fixed or prescribed.
     pub const NONE: Self = Self { mass: 0.0, centre: DVec3::ZERO, tensor: DMat3::ZERO };
 
-    /// Of a mass [kg] and principal moments [kg m²] along the body's axes; the centre of mass is the
+    /// Inertia of a mass [kg] and principal moments [kg m²] along the body's axes; the centre of mass is the
     /// reference point.
     #[must_use]
     pub fn principal(mass: f64, moments: DVec3) -> Self {
         Self { mass, centre: DVec3::ZERO, tensor: DMat3::from_diagonal(moments) }
     }
 
-    /// Of a solid sphere of a mass [kg] and radius [m].
+    /// Inertia of a solid sphere of a mass [kg] and radius [m].
     #[must_use]
     pub fn sphere(mass: f64, radius: f64) -> Self {
         Self::principal(mass, DVec3::splat(0.4 * mass * radius * radius))
     }
 
-    /// Of a solid box of a mass [kg] and edges [m].
+    /// Inertia of a solid box of a mass [kg] and edges [m].
     #[must_use]
     pub fn cuboid(mass: f64, edges: DVec3) -> Self {
         let s = edges * edges;
         Self::principal(mass, mass / 12.0 * DVec3::new(s.y + s.z, s.z + s.x, s.x + s.y))
     }
 
-    /// Of a solid disc or cylinder of a mass [kg], radius [m] and thickness along its axle, the body's y [m].
+    /// Inertia of a solid disc or cylinder of a mass [kg], radius [m] and thickness along its axle, the
+    /// body's y [m].
     #[must_use]
     pub fn disc(mass: f64, radius: f64, thickness: f64) -> Self {
         let across = mass / 12.0 * (3.0 * radius * radius + thickness * thickness);
         Self::principal(mass, DVec3::new(across, 0.5 * mass * radius * radius, across))
     }
 
-    /// This body with its centre of mass elsewhere [m, from the reference point].
+    /// The inertia with the centre of mass elsewhere [m, from the reference point].
     #[must_use]
     pub fn with_centre(self, centre: DVec3) -> Self {
         Self { centre, ..self }

@@ -17,7 +17,7 @@ pub struct Mechanism {
     joints: Vec<Arc<dyn Joint>>,
 }
 
-/// What changes of a mechanism.
+/// The state of a mechanism: what changes in a step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MechanismState {
     /// State of each body.

@@ -21,7 +21,7 @@ pub struct Mobility {
 }
 
 impl Mobility {
-    /// Of an inertia M in the free directions S.
+    /// Mobility of an inertia M in the free directions S.
     pub(crate) fn new(inertia: &SpatialInertia, free: &Directions) -> Self {
         let columns = free.columns();
         let n = columns.len();

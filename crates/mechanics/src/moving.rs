@@ -30,7 +30,7 @@ pub(crate) struct MovingBody {
     pub(crate) kick: Twist,
     /// Momentum after the impulses at the start.
     pub(crate) struck: Momentum,
-    /// Twist that these impulses meet.
+    /// Twist that the impulses at the start of the step meet.
     pub(crate) met: Twist,
     /// Angular impulse about the centre of mass within the step [N m s].
     pub(crate) torque: DVec3,

@@ -31,7 +31,8 @@ pub struct Step {
     pub(crate) system: System,
 }
 
-/// What contact needs of a body in its sweeps, apart from all else: how it moves and responds.
+/// Properties of a body that contact needs in its sweeps, kept apart from all others: how it moves and
+/// responds.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StruckBody {
     /// Twist of the body.

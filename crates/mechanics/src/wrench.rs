@@ -18,14 +18,14 @@ impl Wrench {
     /// No force.
     pub const ZERO: Self = Self { force: DVec3::ZERO, moment: DVec3::ZERO };
 
-    /// Of a force or an impulse at `arm` from the reference point [m].
+    /// Wrench of a force or an impulse at `arm` from the reference point [m].
     #[must_use]
     #[inline]
     pub fn at(arm: DVec3, force: DVec3) -> Self {
         Self { force, moment: arm.cross(force) }
     }
 
-    /// Of a moment or an angular impulse alone.
+    /// Wrench of a moment or an angular impulse alone.
     #[must_use]
     pub fn couple(moment: DVec3) -> Self {
         Self { force: DVec3::ZERO, moment }

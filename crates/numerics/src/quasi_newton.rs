@@ -15,7 +15,7 @@ const SUFFICIENT: f64 = 1e-4;
 /// A minimum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Minimum {
-    /// Where it is.
+    /// Place of the minimum.
     pub place: Vec<f64>,
     /// The value there.
     pub value: f64,

@@ -16,7 +16,7 @@ pub struct Elastic {
 }
 
 impl Elastic {
-    /// From Young's modulus E > 0 [Pa] and Poisson's ratio −1 < ν < ½.
+    /// Elastic moduli from Young's modulus E > 0 [Pa] and Poisson's ratio −1 < ν < ½.
     #[must_use]
     pub fn new(young_modulus: Real, poisson_ratio: Real) -> Self {
         Self {
@@ -63,7 +63,7 @@ impl Elastic {
 /// they are constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffening {
-    /// Lowest pressure at which they change [Pa].
+    /// Lowest pressure at which the moduli change [Pa].
     pub least: Real,
     /// Pressure to which the moduli of the material refer, and at which they stop growing [Pa].
     pub most: Real,

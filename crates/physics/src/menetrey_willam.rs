@@ -53,8 +53,8 @@ impl Eccentricity {
 }
 
 impl MenetreyWillam {
-    /// From the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa],
-    /// tension cut-off [Pa] (at most c cot φ has an effect) and the eccentricities of the potential.
+    /// The law from the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0
+    /// [Pa], tension cut-off [Pa] (at most c cot φ has an effect) and the eccentricities of the potential.
     #[must_use]
     pub fn new(
         elastic: Elastic,

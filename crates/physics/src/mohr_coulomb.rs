@@ -81,8 +81,8 @@ impl Flow {
 }
 
 impl MohrCoulomb {
-    /// From the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa] and
-    /// tension cut-off [Pa] (at most c cot φ has an effect).
+    /// The law from the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa]
+    /// and tension cut-off [Pa] (at most c cot φ has an effect).
     #[must_use]
     pub fn new(
         elastic: Elastic,

@@ -77,7 +77,7 @@ pub struct SandParameters {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sand {
     pub(crate) elastic: Elastic,
-    /// How its moduli grow with the pressure.
+    /// How the elastic moduli grow with the pressure.
     pub stiffening: Stiffening,
     /// M.
     pub(crate) critical_ratio: Real,
@@ -98,7 +98,7 @@ pub struct Sand {
 }
 
 impl Sand {
-    /// From the elastic moduli at the pressure at which they stop growing, and the parameters of the sand.
+    /// A sand from its elastic moduli at the pressure at which they stop growing, and its parameters.
     #[must_use]
     pub fn new(elastic: Elastic, stiffening: Stiffening, parameters: &SandParameters) -> Self {
         let SandParameters { critical_friction, limit_density, bolton, .. } = *parameters;
@@ -144,7 +144,7 @@ impl Sand {
         }
     }
 
-    /// Density in the densest state that it is compacted to [kg/m³].
+    /// Density in the densest state that the sand is compacted to [kg/m³].
     #[must_use]
     pub fn densest(&self) -> Real {
         self.densest
@@ -225,7 +225,8 @@ struct Shearing {
 }
 
 impl Sand {
-    /// At a point whose stress ratio has `reached` a value, under a trial pressure [Pa].
+    /// The moduli of plastic flow at a point whose stress ratio has `reached` a value, under a trial pressure
+    /// [Pa].
     #[inline(always)]
     fn plastic_moduli(&self, point: &Point, pressure: Real, reached: Real) -> Moduli {
         let relative_density = self.relative_density(point.density) + point.memory.nonlocal_density;

@@ -2,7 +2,8 @@
 //!
 //! q = ρ b₁ c l ε̇ᵥ − ρ (b₂ l ε̇ᵥ)² for compression (von Neumann & Richtmyer 1950; Landshoff 1955), as a
 //! stress, tension positive. The linear term also acts in expansion, against oscillations of dilating soil.
-//! It must stay small compared with the contact stress: in frictional soil it acts like a confining pressure.
+//! The viscosity must stay small compared with the contact stress: in frictional soil it acts like a
+//! confining pressure.
 
 use super::Real;
 
@@ -28,7 +29,7 @@ pub struct BulkViscosity {
 }
 
 impl BulkViscosity {
-    /// From the dimensionless b₁ and b₂, density [kg/m³] and wave speed [m/s].
+    /// Bulk viscosity from the dimensionless b₁ and b₂, density [kg/m³] and wave speed [m/s].
     #[must_use]
     pub fn new(b1: Real, b2: Real, density: Real, wave_speed: Real) -> Self {
         Self { linear: b1 * density * wave_speed, quadratic: b2 * b2 * density }

@@ -24,8 +24,8 @@ pub struct VonMises {
 }
 
 impl VonMises {
-    /// From the initial yield stress in uniaxial tension σ_y > 0 [Pa] and the hardening modulus H ≥ 0 [Pa],
-    /// the slope of the flow stress over the plastic strain.
+    /// The law from the initial yield stress in uniaxial tension σ_y > 0 [Pa] and the hardening modulus H ≥ 0
+    /// [Pa], the slope of the flow stress over the plastic strain.
     #[must_use]
     pub fn new(elastic: Elastic, yield_stress: Real, hardening: Real) -> Self {
         let stiffness = 3.0 * elastic.shear;

@@ -23,8 +23,8 @@ pub struct Point {
     pub stress: Symmetric,
     /// Density [kg/m³].
     pub density: Real,
-    /// Whether it is at the critical density of a law with a constant dilation angle, which is then taken as
-    /// 0.
+    /// Whether the soil is at the critical density of a law with a constant dilation angle, which is then
+    /// taken as 0.
     pub is_critical: bool,
     /// Equivalent plastic strain.
     pub plastic_strain: Real,

@@ -15,7 +15,7 @@ use pyo3::types::{PyBytes, PyDict};
 use serde::Deserialize;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What is asked for, as the Python part writes it.
+/// The call of `forecast`, as the Python part writes it.
 #[derive(Debug, Deserialize)]
 struct ForecastCall {
     source: Source,
@@ -33,11 +33,11 @@ struct ForecastCall {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Which {
-    /// The one that is recommended at each point.
+    /// The model that is recommended at each point.
     Recommended,
-    /// Every one.
+    /// Every model.
     All,
-    /// This one.
+    /// The model of this name.
     Named(String),
 }
 
@@ -45,7 +45,7 @@ enum Which {
 struct Said {
     model: &'static str,
     numbers: [f64; PREDICTED.len()],
-    /// Why there are none.
+    /// Why there are no numbers.
     reason: String,
 }
 

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use serde::Deserialize;
 use std::path::PathBuf;
 
-/// What is asked for, as the Python part writes it.
+/// The call of `run`, as the Python part writes it.
 #[derive(Debug, Deserialize)]
 struct RunCall {
     source: Source,

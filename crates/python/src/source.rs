@@ -11,7 +11,7 @@ use std::path::PathBuf;
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Source {
-    /// The path of its file.
+    /// The path of the case file.
     Path(PathBuf),
     /// Keys and values of a case, as the file would have them.
     Keys(Value),

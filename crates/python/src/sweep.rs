@@ -16,7 +16,7 @@ use studies::sweep::line::CaseLine;
 use studies::sweep::outcome::Outcome;
 use studies::sweep::pool::Watcher;
 
-/// What is asked for, as the Python part writes it.
+/// The call of `sweep`, as the Python part writes it.
 #[derive(Debug, Deserialize)]
 struct SweepCall {
     study: PathBuf,

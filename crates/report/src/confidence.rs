@@ -26,7 +26,7 @@ pub fn make_variations_folder(dir: &Path) -> Result<(), OutputError> {
     make_folder(&Inside::of(dir, VARIATIONS))
 }
 
-/// The wall-clock time [s] and the summary of a variation's run that has come to its end.
+/// The wall-clock time [s] and the summary of a variation's run that has finished.
 pub fn finished(dir: &Path, name: &str) -> Result<Option<(f64, Summary)>, OutputError> {
     let folder = variation_folder(dir, name)?;
     match inspect(&folder)? {

@@ -30,9 +30,9 @@ pub struct Results {
     dir: PathBuf,
     /// The histories.
     pub tables: HistoryFiles,
-    /// What happened when.
+    /// The log: what happened when.
     pub log: Log,
-    /// What identifies the folder, and how far the run is.
+    /// The record of the run: what identifies the folder, and how far the run is.
     pub record: RunRecord,
 }
 
@@ -225,8 +225,8 @@ pub fn require_nothing(dir: &Path) -> Result<(), OutputError> {
     clear(dir, false)
 }
 
-/// Gives a run that has come to its end the intervals that follow from these variations, in the summary, the
-/// report and the log, unless it has them already. `confidence` says what was allowed and spent.
+/// Gives a run that has finished the intervals that follow from these variations, in the summary, the report
+/// and the log, unless it has them already. `confidence` says what was allowed and spent.
 ///
 /// # Errors
 /// When the folder holds no such result, or a file cannot be read or written.
@@ -256,7 +256,7 @@ pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
     rebuild_report_with(dir, ReportWishes::default())
 }
 
-/// As [`rebuild_report`], with what this report alone shows.
+/// Builds the report anew as [`rebuild_report`] does, with what this report alone shows.
 ///
 /// # Errors
 /// As [`rebuild_report`].

@@ -30,14 +30,14 @@ impl GroundColumn {
     /// Equivalent plastic strain above which soil counts as disturbed: sand has left its first state by then,
     /// clay has lost a part of its strength (chosen).
     pub const DISTURBED: f64 = 0.1;
-    /// The same above which soil counts as mixed: layers have been sheared past each other by their own
-    /// thickness (chosen).
+    /// Equivalent plastic strain above which soil counts as mixed: layers have been sheared past each other
+    /// by their own thickness (chosen).
     pub const MIXED: f64 = 1.0;
 
-    /// How many numbers it is.
+    /// Number of numbers of a column.
     pub(crate) const NUMBERS: usize = 6;
 
-    /// Its numbers.
+    /// The numbers of the column.
     pub(crate) fn to_array(self) -> [f64; Self::NUMBERS] {
         let Self { z, compaction, void, disturbed, mixed, disturbed_to } = self;
         [z, compaction, void, disturbed, mixed, disturbed_to]
@@ -115,9 +115,9 @@ struct Column {
     surface: f64,
     /// Height of the soil in the lowest layer so far [m].
     lowest: f64,
-    /// That of all of it [m].
+    /// Height of all soil so far [m].
     content: f64,
-    /// The same if it had the density of its start [m].
+    /// Height that all soil so far would have at the density of its start [m].
     as_at_start: f64,
     disturbed: f64,
     mixed: f64,

@@ -1,4 +1,4 @@
-//! Curves that are laid over the plots of a run.
+//! Curves that are overlaid on the plots of a run.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,16 +18,16 @@ pub enum PlotKind {
     AxleTorque,
 }
 
-/// A curve laid over a plot: a forecast, a measurement, another run.
+/// A curve overlaid on a plot: a forecast, a measurement, another run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Overlay {
     /// Name in the legend.
     pub name: String,
-    /// The plot it belongs to.
+    /// The plot that the overlay belongs to.
     pub plot: PlotKind,
-    /// The body it belongs to; `None` for all bodies.
+    /// The body that the overlay belongs to; `None` for all bodies.
     pub body: Option<String>,
-    /// Whether it was measured: then it is drawn as dots, not as a line.
+    /// Whether the overlay was measured: then it is drawn as dots, not as a line.
     #[serde(default)]
     pub measured: bool,
     /// Points in SI units. A single point is drawn as a level across the plot.

@@ -55,7 +55,7 @@ impl Progress {
         }
     }
 
-    /// The same, with a label before every line: which of several runs this is; empty for none.
+    /// The progress with a label before every line: which of several runs this is; empty for none.
     #[must_use]
     pub fn labelled(mut self, label: &str) -> Self {
         self.label = if label.is_empty() { String::new() } else { format!("{label}  ") };

@@ -14,15 +14,15 @@ pub enum Boundary {
     RoughWall,
     /// A plane of symmetry: what lies beyond it mirrors what is modelled.
     Symmetry,
-    /// Undisturbed ground lies beyond it, at rest under geostatic stress, and enters where the grid moves
-    /// that way.
+    /// Undisturbed ground lies beyond the boundary, at rest under geostatic stress, and enters where the grid
+    /// moves that way.
     Inflow,
-    /// Soil leaves through it where the grid moves the other way. What lies beyond is at rest and like the
-    /// soil next to it.
+    /// Soil leaves through the boundary where the grid moves the other way. What lies beyond is at rest and
+    /// like the soil next to it.
     Outflow,
-    /// Undisturbed ground lies beyond it and bears what it bears at rest, however the soil moves: the face
-    /// yields, soil leaves and ground enters. Every step the cells beyond start from their stress at rest,
-    /// strained by the nodes of the face against others at rest, so that waves leave in part.
+    /// Undisturbed ground lies beyond the boundary and bears what it bears at rest, however the soil moves:
+    /// the face yields, soil leaves and ground enters. Every step the cells beyond start from their stress at
+    /// rest, strained by the nodes of the face against others at rest, so that waves leave in part.
     ConstantStress,
     /// No boundary of the domain but a cut, beyond which lies another block.
     Halo,
@@ -40,13 +40,13 @@ impl Boundary {
         }
     }
 
-    /// Whether soil flows through it, so that the grid has ghost layers beyond it.
+    /// Whether soil flows through the boundary, so that the grid has ghost layers beyond it.
     #[must_use]
     pub fn is_open(self) -> bool {
         matches!(self, Self::Inflow | Self::Outflow | Self::ConstantStress)
     }
 
-    /// Whether undisturbed ground enters through it.
+    /// Whether undisturbed ground enters through the boundary.
     #[must_use]
     pub fn lets_ground_in(self) -> bool {
         matches!(self, Self::Inflow | Self::ConstantStress)
@@ -96,7 +96,7 @@ impl Boundaries {
         free
     }
 
-    /// Whether any lets the nodes on it move against a constant stress.
+    /// Whether any boundary lets the nodes on it move against a constant stress.
     #[must_use]
     pub fn have_constant_stress(&self) -> bool {
         self.0.as_flattened().contains(&Boundary::ConstantStress)
@@ -121,7 +121,7 @@ impl Boundaries {
         contains(1, q) && contains(2, plane)
     }
 
-    /// The planes of symmetry among them.
+    /// The planes of symmetry among the boundaries.
     #[must_use]
     pub fn symmetry(&self) -> Symmetry {
         Symmetry { across: self.0.map(|pair| pair.contains(&Boundary::Symmetry)) }
@@ -131,7 +131,7 @@ impl Boundaries {
 /// The planes of symmetry of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Symmetry {
-    /// Whether there is one across x, y, z.
+    /// Whether there is a plane of symmetry across x, y, z.
     pub across: [bool; 3],
 }
 

@@ -12,13 +12,13 @@ pub enum Breakdown {
         "{field} is not a number at t = {time:.6} s (step {step}){location}; a smaller numerics.courant or a stiffer soil may help"
     )]
     NotANumber {
-        /// Which field.
+        /// Name of the field.
         field: String,
-        /// When [s].
+        /// Time of the breakdown [s].
         time: f64,
-        /// In which step.
+        /// Step of the breakdown.
         step: u64,
-        /// Where.
+        /// Position of the breakdown.
         location: Location,
     },
     /// Soil moves so fast that it crosses most of a cell between two remaps.
@@ -27,13 +27,13 @@ pub enum Breakdown {
          a slower body or a finer grid may help"
     )]
     Runaway {
-        /// How far, in cells of the smallest width.
+        /// Distance between two remaps, in cells of the smallest width.
         cells: f64,
-        /// When [s].
+        /// Time of the breakdown [s].
         time: f64,
-        /// In which step.
+        /// Step of the breakdown.
         step: u64,
-        /// Where.
+        /// Position of the breakdown.
         location: Location,
     },
     /// A freely moving body has left the box.
@@ -46,11 +46,11 @@ pub enum Breakdown {
         body: String,
         /// Through which face of the box: "ahead", "below", …
         side: &'static str,
-        /// When [s].
+        /// Time of the breakdown [s].
         time: f64,
-        /// In which step.
+        /// Step of the breakdown.
         step: u64,
-        /// Where its reference point is.
+        /// Position of the body's reference point.
         location: Location,
     },
     /// A check that the run can no longer pass.
@@ -60,11 +60,11 @@ pub enum Breakdown {
         what: String,
         /// What may help.
         cure: String,
-        /// When [s].
+        /// Time of the breakdown [s].
         time: f64,
-        /// In which step.
+        /// Step of the breakdown.
         step: u64,
-        /// Where.
+        /// Position of the breakdown.
         location: Location,
     },
 }
@@ -77,7 +77,7 @@ impl Location {
     /// No position in particular.
     pub const UNKNOWN: Self = Self(None);
 
-    /// This position [m]; unknown if a coordinate is not a number.
+    /// A known position [m]; unknown if a coordinate is not a number.
     #[must_use]
     pub fn at(position: DVec3) -> Self {
         Self(Some(position).filter(|p| p.is_finite()))

@@ -4,7 +4,7 @@
 //! The sum is kept as a whole number of units in the last place of the smallest number, in digits of 32 bits
 //! with room for carries: the small superaccumulator of R. M. Neal (2015), Fast exact summation using small
 //! and large superaccumulators, arXiv:1505.05571, section 3. Blocks add their digits as whole numbers, so
-//! that nobody needs the terms of the others.
+//! that no block needs the terms of the others.
 
 use crate::halo::Halo;
 

@@ -12,9 +12,9 @@ pub const STRESS_NAMES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
 /// The weight by which a quantity is averaged when soils mix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carrier {
-    /// By volume.
+    /// Averaged by volume.
     Volume,
-    /// By mass.
+    /// Averaged by mass.
     Mass,
 }
 
@@ -25,38 +25,38 @@ pub struct HistoryVariable {
     pub name: &'static str,
     /// Unit of the variable, "" where it has none.
     pub unit: &'static str,
-    /// What it is averaged by.
+    /// Carrier by which the variable is averaged.
     pub carrier: Carrier,
-    /// Which materials need it; its array is empty where there is none of them.
+    /// Materials that need the variable; its array is empty where there is none of them.
     pub needed_by: Needing,
 }
 
 /// Materials that need a history variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needing {
-    /// All of them.
+    /// All materials.
     Every,
-    /// Those whose law remembers ([`physics::yield_law::YieldLaw::REMEMBERS`]).
+    /// Materials whose law remembers ([`physics::yield_law::YieldLaw::REMEMBERS`]).
     Sand,
-    /// Those with a strength at each point ([`physics::yield_law::YieldLaw::HAS_STRENGTH`]).
+    /// Materials with a strength at each point ([`physics::yield_law::YieldLaw::HAS_STRENGTH`]).
     Clay,
-    /// Any whose pore pressure is computed ([`crate::model::Model::pore_water`]).
+    /// Materials whose pore pressure is computed ([`crate::model::Model::pore_water`]).
     Water,
 }
 
 /// Which kinds of materials there are besides the usual ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kinds {
-    /// One whose law remembers.
+    /// Whether there is a material whose law remembers.
     pub sand: bool,
-    /// One with a strength at each point.
+    /// Whether there is a material with a strength at each point.
     pub clay: bool,
-    /// Any whose pore pressure is computed.
+    /// Whether there is a material whose pore pressure is computed.
     pub water: bool,
 }
 
 impl Kinds {
-    /// Whether one of them needs a history variable.
+    /// Whether one of the kinds needs a history variable.
     #[must_use]
     pub fn need(self, variable: &HistoryVariable) -> bool {
         match variable.needed_by {
@@ -67,7 +67,7 @@ impl Kinds {
         }
     }
 
-    /// Those of this and of another set.
+    /// The kinds of this and of another set.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -150,7 +150,7 @@ pub struct Nodes<R = f64> {
 }
 
 impl<R> Soil<R> {
-    /// Kinds of materials that it has arrays for.
+    /// Kinds of materials that the soil has arrays for.
     #[must_use]
     pub fn kinds(&self) -> Kinds {
         let has = |kind| {
@@ -177,7 +177,7 @@ impl<R> Soil<R> {
         rest.map(|field| (Carrier::Volume, field)).chain(history)
     }
 
-    /// All arrays.
+    /// All arrays of the soil.
     pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {
         [&self.fraction, &self.mass, &self.apart].into_iter().chain(self.carried().map(|(_, field)| field))
     }
@@ -192,7 +192,7 @@ impl<R> Soil<R> {
         self.stress.iter_mut().chain(self.history.iter_mut().filter(|field| !field.is_empty()))
     }
 
-    /// All arrays, mutable.
+    /// All arrays of the soil, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         let Self { fraction, mass, apart, stress, history, composition } = self;
         let history = history.iter_mut().filter(|field| !field.is_empty());
@@ -238,12 +238,12 @@ pub(crate) fn mass_as_main<R: Copy + Into<f64>>(
 }
 
 impl<R> Nodes<R> {
-    /// All arrays.
+    /// All arrays of the nodes.
     pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {
         self.velocity.iter().chain(&self.displacement).chain([&self.mass])
     }
 
-    /// All arrays, mutable.
+    /// All arrays of the nodes, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         self.velocity.iter_mut().chain(&mut self.displacement).chain([&mut self.mass])
     }
@@ -272,7 +272,7 @@ impl<R: Copy + Default> Soil<R> {
 }
 
 impl<R: Copy + Into<f64>> Soil<R> {
-    /// These fields in double precision.
+    /// The fields of the soil in double precision.
     #[must_use]
     pub fn to_f64(&self) -> Soil {
         Soil {
@@ -300,7 +300,7 @@ impl<R: Copy + Default> Nodes<R> {
 }
 
 impl<R: Copy + Into<f64>> Nodes<R> {
-    /// These fields in double precision.
+    /// The fields of the nodes in double precision.
     #[must_use]
     pub fn to_f64(&self) -> Nodes {
         Nodes {

@@ -1,5 +1,5 @@
-//! Whether a state that was read is one of a grid, and of a model: the method takes for granted that its
-//! arrays are as long and that its numbers of bodies, points and cells are of something.
+//! Whether a state that was read is one of a grid, and of a model: the method assumes that its arrays are as
+//! long and that its numbers of bodies, points and cells are of something.
 
 use crate::contact::Surface;
 use crate::fields::HISTORY;
@@ -20,7 +20,7 @@ impl<R> State<R> {
         self.soil.composition.len() <= MOST_OTHERS && arrays.all(|array| array.len() == count)
     }
 
-    /// Whether this can be a state of a model.
+    /// Whether the state can be a state of a model.
     #[must_use]
     pub fn is_of(&self, model: &Model) -> bool {
         let kinds = model.kinds();

@@ -15,8 +15,8 @@ use glam::DVec3;
 pub struct Footprint {
     /// Fields of the state.
     pub fields: f64,
-    /// The portion of them that stays untouched where there has never been soil: the operating system commits
-    /// no memory for it.
+    /// Portion of the fields of the state that stays untouched where there has never been soil: the operating
+    /// system commits no memory for it.
     pub fields_of_soil: f64,
     /// Workspace of the step, without contact.
     pub workspace: f64,

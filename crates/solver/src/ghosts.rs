@@ -43,7 +43,7 @@ pub(crate) struct Ghosts<'a, R> {
     undisturbed: Undisturbed<R>,
     /// The cells that bodies occupied at the last contact search.
     bodies: &'a [BodyCell],
-    /// What they held after they were filled last.
+    /// Content of the ghost layers after they were filled last.
     held: Content,
 }
 
@@ -51,8 +51,8 @@ pub(crate) struct Ghosts<'a, R> {
 type Content = [f64; 3];
 
 impl<'a, R: Precision> Ghosts<'a, R> {
-    /// Those of a grid with open faces, before the first sweep; `volume` is that of the soil in the displaced
-    /// cells [m³].
+    /// The ghost layers of a grid with open faces, before the first sweep; `volume` is that of the soil in
+    /// the displaced cells [m³].
     pub(crate) fn new(
         model: &Model,
         state: &State<R>,
@@ -67,8 +67,8 @@ impl<'a, R: Precision> Ghosts<'a, R> {
         })
     }
 
-    /// After a sweep: adds what has passed the boundaries to the balance and refills the layers, with the
-    /// volumes of the soil in the displaced cells and of these [m³].
+    /// Renews the ghost layers after a sweep: adds what has passed the boundaries to the balance and refills
+    /// the layers, with the volumes of the soil in the displaced cells and of these [m³].
     pub(crate) fn renew(
         &mut self,
         model: &Model,
@@ -221,7 +221,7 @@ pub(crate) struct Beyond<R> {
 }
 
 impl<R: Precision> Beyond<R> {
-    /// That of a block whose grid has moved as far as in a state.
+    /// The ground beyond a block whose grid has moved as far as in a state.
     pub(crate) fn new(model: &Model, state: &State<R>) -> Self {
         if !model.boundaries.have_constant_stress() {
             return Self { cells: Vec::new(), at_rest: Vec::new() };
@@ -244,7 +244,7 @@ impl<R: Precision> Beyond<R> {
         Self { cells, at_rest }
     }
 
-    /// Puts it back to rest.
+    /// Puts the ground beyond the boundaries back to rest.
     pub(crate) fn rest(&self, soil: &mut Soil<R>) {
         if self.cells.is_empty() {
             return;
@@ -256,7 +256,7 @@ impl<R: Precision> Beyond<R> {
         }
     }
 
-    /// The elastic energy that it has taken up since then [J].
+    /// Elastic energy that the ground has taken up since it was at rest [J].
     pub(crate) fn taken_up(&self, model: &Model, soil: &Soil<R>) -> ExactSum {
         let mut sum = ExactSum::default();
         for (n, (c, volume)) in self.cells.iter().enumerate() {

@@ -23,7 +23,8 @@ pub const GHOSTS: usize = 4;
 pub struct Grid {
     /// Positions of the cell faces along x, y, z [m], increasing; of a block with its ghost layers.
     pub faces: [Vec<f64>; 3],
-    /// Those of the whole grid, with the ghost layers of its open faces.
+    /// Positions of the cell faces of the whole grid along x, y, z [m], with the ghost layers of its open
+    /// faces.
     pub whole: [Vec<f64>; 3],
     /// Layers of cells of the whole grid that are the domain; the others are ghost layers beyond its open
     /// faces.
@@ -68,7 +69,7 @@ impl Grid {
         Self::laid_out(whole, domain.clone(), domain, lanes)
     }
 
-    /// This grid, whose fine cells have another shape than cubes: widths along x, y, z over their smallest.
+    /// The grid with fine cells of another shape than cubes: widths along x, y, z over their smallest.
     #[must_use]
     pub fn with_aspect(self, aspect: DVec3) -> Self {
         let along = |axis: usize| finest_of(&self.whole[axis]) / aspect[axis];
@@ -109,13 +110,13 @@ impl Grid {
             .with_aspect(aspect)
     }
 
-    /// Whether this is a whole grid.
+    /// Whether this grid is a whole grid, not a block of one.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.own == self.domain
     }
 
-    /// Those of some layers of cells of the whole grid that the block or its ghost layers hold.
+    /// Part of some layers of cells of the whole grid that the block or its ghost layers hold.
     #[must_use]
     pub fn held_of(&self, layers: &[Range<usize>; 3]) -> [Range<usize>; 3] {
         std::array::from_fn(|axis| {

@@ -128,7 +128,7 @@ fn remember_one<R: Scalar>(
 /// The undisturbed ground in the cells of a grid that has moved: in one column only along an axis along which
 /// it is uniform, beyond the open boundary only where there is one alone.
 pub(crate) struct Undisturbed<R> {
-    /// In coordinates of the ground.
+    /// Grid of the cells in coordinates of the ground.
     grid: Grid,
     /// Layers of the whole grid that are the first here.
     first: [usize; 3],

@@ -33,7 +33,7 @@ pub struct Material {
 /// A relative density of sand that grows with depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DensityProfile {
-    /// Height from which it grows downwards [m].
+    /// Height from which the relative density grows downwards [m].
     pub top: f64,
     /// Relative density there and above.
     pub at_top: f64,
@@ -56,7 +56,7 @@ impl DensityProfile {
 /// An undrained shear strength that grows with depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StrengthProfile {
-    /// Height from which it grows downwards [m].
+    /// Height from which the strength grows downwards [m].
     pub top: f64,
     /// Strength there and above [Pa].
     pub at_top: f64,
@@ -116,8 +116,8 @@ impl Material {
         self.elastic.bulk * self.stiffening().map_or(1.0, |stiffening| stiffening.factor(pressure))
     }
 
-    /// Whether it opens where it cannot bear the tension, so that a gap must close before it bears pressure
-    /// again.
+    /// Whether the material opens where it cannot bear the tension, so that a gap must close before it bears
+    /// pressure again.
     #[must_use]
     pub fn opens(&self) -> bool {
         matches!(self.yield_law, Some(Law::MohrCoulomb(_) | Law::MenetreyWillam(_) | Law::Sand(_)))
@@ -151,7 +151,7 @@ impl Material {
         }
     }
 
-    /// What its law needs of the soil besides what every law does.
+    /// The kinds, besides the usual ones, to which the material belongs.
     #[must_use]
     pub fn kinds(&self) -> Kinds {
         Kinds {

@@ -40,7 +40,7 @@ pub struct Model {
     pub follow: Option<Follow>,
     /// Rigid bodies.
     pub bodies: Vec<BodyModel>,
-    /// Joints between them, or between them and the ground.
+    /// Joints between bodies, or between bodies and the ground.
     pub joints: Vec<Arc<dyn Joint>>,
     /// Portion of the width of each body that is modelled: 1, of a slab of plane strain its thickness over
     /// the width that bodies, forces and energies refer to.
@@ -67,7 +67,8 @@ pub struct BodyModel {
     /// Adhesion factor α: the largest frictional traction over the undrained shear strength of the soil,
     /// whatever the pressure. Above 1 the soil itself is the limit.
     pub adhesion_factor: f64,
-    /// Distance between its contact points and its sharp edges along each of its axes, in cell widths.
+    /// Distance between the contact points of the body and its sharp edges along each of its axes, in cell
+    /// widths.
     pub edge_inset: DVec3,
     /// The fluid that the whole body moves in; of no effect on a body without a free motion.
     pub fluid: Fluid,
@@ -141,11 +142,11 @@ fn of_axle(axle: DVec3) -> DQuat {
 pub struct RimBin {
     /// Middle of the bin: the mean of its samples.
     pub middle: RimPoint,
-    /// Area of the modelled portion of its surface [m²]; 0 outside the grid.
+    /// Area of the modelled portion of the bin's surface [m²]; 0 outside the grid.
     pub area: f64,
 }
 
-/// Which contact method.
+/// The contact method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactMethod {
     /// Penalty with a history penetration that follows the geometric gap.
@@ -163,7 +164,7 @@ pub struct Method {
     pub remap_displacement: f64,
     /// Coefficient ε of hourglass viscosity.
     pub hourglass: f64,
-    /// Fraction of it that acts in cells that yield.
+    /// Fraction of hourglass viscosity that acts in cells that yield.
     pub hourglass_yielding: f64,
     /// Bulk viscosity b₁, b₂.
     pub bulk_viscosity: [f64; 2],
@@ -188,7 +189,7 @@ impl Default for Method {
     }
 }
 
-/// Less soil than this is taken out of a cell after a remap (and counted).
+/// Volume fraction below which soil is taken out of a cell after a remap (and counted).
 pub const FRACTION_KEPT: f64 = 1e-6;
 
 impl Model {
@@ -235,7 +236,7 @@ impl Model {
         &self.materials[0]
     }
 
-    /// The mechanism of its bodies and joints.
+    /// The mechanism of the bodies and joints of the model.
     #[must_use]
     pub fn mechanism(&self) -> Mechanism {
         let bodies = self.bodies.iter().map(|body| body.mechanical(self.modelled_fraction()));
@@ -280,7 +281,7 @@ impl Model {
         self.materials.iter().map(Material::wave_speed).fold(0.0, f64::max)
     }
 
-    /// Kinds of its materials.
+    /// Kinds of the materials of the model.
     #[must_use]
     pub fn kinds(&self) -> Kinds {
         let water = Kinds { water: self.pore_water.is_some(), ..Kinds::default() };
@@ -312,7 +313,7 @@ impl Model {
         self.grid.finest().powi(3) * self.grid.aspect().element_product()
     }
 
-    /// Nodes lighter than this do not move [kg].
+    /// Mass below which nodes do not move [kg].
     #[must_use]
     pub fn mass_moved(&self) -> f64 {
         1e-7 * self.least_density() * self.least_volume()
@@ -353,7 +354,7 @@ impl PoreWater {
 pub struct Follow {
     /// Number of the body.
     pub body: usize,
-    /// Whether along x, y, z. The boundaries across such an axis must be open.
+    /// Whether the grid follows along x, y, z. The boundaries across such an axis must be open.
     pub axes: [bool; 3],
 }
 
@@ -366,7 +367,7 @@ pub struct Ground {
     pub fillings: Vec<Filling>,
     /// Pressure on the surface [Pa].
     pub overburden: f64,
-    /// How far its surface lies above the top of the first filling.
+    /// How far the surface of the ground lies above the top of the first filling.
     pub relief: Relief,
     /// Bodies of other soil, which take the place of the fillings, each in what the ones before it have left
     /// free.
@@ -374,7 +375,8 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// Whether it is made of boxes alone: its surface is level, and there are no bodies of other soil in it.
+    /// Whether the ground is made of boxes alone: its surface is level, and there are no bodies of other soil
+    /// in it.
     #[must_use]
     pub fn is_even(&self) -> bool {
         self.relief.is_level() && self.bodies.is_empty()
@@ -398,11 +400,11 @@ impl Ground {
 pub struct SoilBody {
     shape: Arc<dyn Shape>,
     position: DVec3,
-    /// From the axes of space to those of the shape.
+    /// Rotation from the axes of space to those of the shape.
     to_shape: DQuat,
-    /// Corners of the box round it [m].
+    /// Corners of the box round the body [m].
     pub bounds: [DVec3; 2],
-    /// Number of its material.
+    /// Number of the material of the body.
     pub material: usize,
 }
 
@@ -418,7 +420,7 @@ impl SoilBody {
         Self { shape, position: pose.position, to_shape, bounds, material }
     }
 
-    /// Distance from its surface [m]; negative inside.
+    /// Distance from the surface of the body [m]; negative inside.
     #[must_use]
     pub fn distance(&self, x: DVec3) -> f64 {
         self.shape.signed_distance(self.to_shape * (x - self.position))
@@ -432,14 +434,14 @@ pub struct Filling {
     pub low: DVec3,
     /// High corner [m].
     pub high: DVec3,
-    /// Only what is so near to the z axis is full: a round column [m].
+    /// Radius round the z axis within which the box is full: a round column [m].
     pub radius: Option<f64>,
-    /// Number of its material.
+    /// Number of the material of the filling.
     pub material: usize,
 }
 
 impl Filling {
-    /// All of a box.
+    /// A filling of all of a box.
     #[must_use]
     pub fn between(low: DVec3, high: DVec3) -> Self {
         Self { low, high, radius: None, material: 0 }

@@ -15,7 +15,7 @@ pub struct Portion<R> {
     pub layers: [Range<usize>; 3],
     /// The arrays of the soil, x fastest.
     cells: Vec<Vec<R>>,
-    /// Those of the nodes.
+    /// The arrays of the nodes, x fastest.
     nodes: Vec<Vec<R>>,
 }
 
@@ -91,8 +91,8 @@ impl<R: Scalar> State<R> {
 }
 
 impl<R> Portion<R> {
-    /// Whether its layers are some of the whole grid, and its arrays those of a state, with as many entries
-    /// as the layers have cells and nodes: one that was read may be otherwise.
+    /// Whether the layers of the portion are some of the whole grid, and its arrays those of a state, with as
+    /// many entries as the layers have cells and nodes: one that was read may be otherwise.
     #[must_use]
     pub fn is_of(&self, state: &State<R>, grid: &Grid) -> bool {
         let mut layers = self.layers.iter().zip(grid.whole_cells());
@@ -121,7 +121,7 @@ impl<R> Portion<R> {
 }
 
 impl<R: Scalar> Portion<R> {
-    /// All its numbers: layers, and the arrays one after the other.
+    /// All numbers of the portion: layers, and the arrays one after the other.
     #[must_use]
     pub fn to_numbers(&self) -> Vec<f64> {
         let layers = self.layers.iter().flat_map(|own| [own.start as f64, own.end as f64]);

@@ -24,7 +24,7 @@ pub trait Scalar:
     /// The nearest number of this type.
     fn cast(value: f64) -> Self;
 
-    /// This number in double precision.
+    /// The number in double precision.
     fn to_f64(self) -> f64 {
         self.into()
     }

@@ -15,7 +15,7 @@ pub struct Body {
     pub contact_impulse: ContactImpulse,
     /// Contact impulse on each of the body's parts; empty where there is only one.
     pub parts: Vec<ContactImpulse>,
-    /// Rotation about its axle since the start [rad], positive when it rolls forward.
+    /// Rotation of the body about its axle since the start [rad], positive when it rolls forward.
     pub rotation: f64,
     /// Soil found inside the body at the last remap [m³].
     pub leaked_volume: f64,
@@ -32,9 +32,9 @@ pub struct Body {
 /// divided by its length is the mean force, so that no force is lost between two samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ContactImpulse {
-    /// Of the pressure normal to the surface [N s].
+    /// Impulse of the pressure normal to the surface [N s].
     pub normal: DVec3,
-    /// Of friction [N s].
+    /// Impulse of friction [N s].
     pub friction: DVec3,
     /// Angular impulse about the reference point [N m s].
     pub moment: DVec3,
@@ -88,14 +88,14 @@ pub struct Contact {
     pub body: u32,
     /// Index among the body's surface points.
     pub point: u32,
-    /// Material in its cell.
+    /// Number of the material in the cell of the point.
     pub material: u32,
     /// Largest frictional force, whatever the pressure, over `area` [Pa]: with what the point represents of
     /// the margins along edges; infinite for no such limit.
     pub shear_limit: f64,
-    /// Side of the body's mid-plane on which it lies: 0 and 1, or 2 on the plane.
+    /// Side of the body's mid-plane on which the point lies: 0 and 1, or 2 on the plane.
     pub side: u8,
-    /// Whether the body's next point is its mirror image in that plane.
+    /// Whether the body's next point is the mirror image of this one in the mid-plane.
     pub is_paired: bool,
     /// Cell `(i, j, k)` in the whole grid.
     pub cell: [u32; 3],
@@ -105,11 +105,11 @@ pub struct Contact {
     pub weight: [f64; 8],
     /// Outward unit normal of the body.
     pub normal: DVec3,
-    /// From the body's reference point to the point [m].
+    /// Arm from the body's reference point to the point [m].
     pub arm: DVec3,
     /// Area of the surface round the point [m²].
     pub area: f64,
-    /// Smallest width of its cell [m].
+    /// Smallest width of the cell of the point [m].
     pub width: f64,
     /// Penetration, negative for a gap [m].
     pub penetration: f64,
@@ -122,7 +122,7 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// All its numbers except the indices of body and point.
+    /// All numbers of the contact except the indices of body and point.
     pub(crate) fn to_array(self) -> [f64; 34] {
         let mut values = [0.0; 34];
         let [i, j, k] = self.cell.map(f64::from);
@@ -263,7 +263,7 @@ impl<R: Copy + Default> State<R> {
         own
     }
 
-    /// These bodies, contacts and energy balance in another block, which holds nothing yet.
+    /// The bodies, contacts and energy balance in another block, which holds nothing yet.
     #[must_use]
     pub fn without_soil(&self, block: &Grid) -> Self {
         Self {
@@ -276,8 +276,8 @@ impl<R: Copy + Default> State<R> {
         }
     }
 
-    /// These bodies, contacts and energy balance, and arrays of soil and nodes without entries: those that
-    /// are needed have one.
+    /// The bodies, contacts and energy balance, and arrays of soil and nodes with one entry where they are
+    /// needed, otherwise with none.
     #[must_use]
     pub fn without_fields(&self) -> Self {
         let mut own = self.without_soil(&Grid::new(std::array::from_fn(|_| vec![0.0, 1.0])));
@@ -294,7 +294,7 @@ impl<R: Copy + Default> State<R> {
 }
 
 impl<R: Copy + Into<f64>> State<R> {
-    /// This state with fields in double precision.
+    /// The state with fields in double precision.
     #[must_use]
     pub fn to_f64(&self) -> State {
         State {

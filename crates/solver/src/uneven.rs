@@ -72,14 +72,14 @@ impl Cell {
         }
     }
 
-    /// Whether a soil body may reach into it.
+    /// Whether a soil body may reach into the cell.
     fn is_near(&self, body: &SoilBody) -> bool {
         let [low, high] = body.bounds;
         let inside = self.low.cmplt(high).all() && (self.low + self.width).cmpgt(low).all();
         inside && body.distance(self.low + 0.5 * self.width) < 0.5 * self.width.length()
     }
 
-    /// Portion of its height, or of a layer in it, between two levels [m].
+    /// Portion of the height of the cell, or of a layer in it, between two levels [m].
     fn portion_of(&self, [low, high]: [f64; 2], [from, to]: [f64; 2]) -> f64 {
         let portion = (to.min(high) - from.max(low)) / (high - low);
         if portion < ROUNDING {

@@ -18,11 +18,11 @@ use mechanics::{Mechanism, Step};
 
 /// Threads and scratch memory of a run.
 pub struct Workspace<R: Precision = f64> {
-    /// For the loops over cells.
+    /// Scratch memory for the loops over cells.
     pub(crate) soil: SoilWorkspace<R>,
-    /// For contact.
+    /// Scratch memory for contact.
     pub(crate) contact: ContactWorkspace,
-    /// For pore water.
+    /// Scratch memory for pore water.
     pub(crate) seepage: SeepageWorkspace,
     /// Bodies and joints.
     pub(crate) mechanism: Mechanism,
@@ -145,7 +145,7 @@ impl<R: Precision> Workspace<R> {
         self.soil.memory() + self.contact.memory() + self.seepage.memory()
     }
 
-    /// The portion of it for surfaces and contact points [bytes].
+    /// Memory in use for surfaces and contact points [bytes].
     #[must_use]
     pub fn contact_memory(&self) -> usize {
         self.contact.memory()

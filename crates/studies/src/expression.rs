@@ -8,7 +8,7 @@ use coulter::case::quantity::{self, Dimension, describe};
 pub struct Dimensional {
     /// The number, in SI units.
     pub value: f64,
-    /// What it measures.
+    /// Dimension of the number.
     pub dimension: Dimension,
 }
 
@@ -212,7 +212,7 @@ impl Expression {
         if found.value.is_finite() { Ok(found) } else { Err("it is not a finite number".to_owned()) }
     }
 
-    /// The names in it.
+    /// The names in the expression.
     #[must_use]
     pub fn names(&self) -> Vec<&str> {
         match self {

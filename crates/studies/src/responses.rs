@@ -14,14 +14,14 @@ pub struct Figures {
     pub model: String,
     /// The body.
     pub body: String,
-    /// Whether it is the recommended closed form, or the first body of a run.
+    /// Whether the model is the recommended closed form, or the body the first of a run.
     pub recommended: bool,
     /// Grade of a run: `good` or `doubtful`.
     pub grade: Option<String>,
     /// Intervals (5 to 95 %) of responses, in their units, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "of_known")]
     pub intervals: BTreeMap<&'static str, [f64; 2]>,
-    /// The responses that it says, in their units, by name.
+    /// The responses of the model, in their units, by name.
     #[serde(flatten, serialize_with = "with_units", deserialize_with = "without_units")]
     pub responses: BTreeMap<&'static str, f64>,
 }
@@ -102,11 +102,11 @@ impl Figures {
 /// A response.
 #[derive(Clone, Debug)]
 pub struct ResponseColumn {
-    /// The name of its column.
+    /// Name of the column of the response.
     pub name: &'static str,
-    /// Its unit.
+    /// Unit of the response.
     pub unit: &'static str,
-    /// Its name in charts.
+    /// Name of the response in charts.
     pub label: String,
 }
 

@@ -12,13 +12,13 @@ const TEMPLATE: &str = include_str!("../assets/sheet.html");
 pub struct Sheet {
     /// Title of the sheet.
     pub title: String,
-    /// Facts at its head: name and text.
+    /// Facts at the head of the sheet: name and text.
     pub facts: Vec<[String; 2]>,
     /// Warnings: what is the matter, and what to do.
     pub warnings: Vec<[String; 2]>,
     /// Sections of the sheet.
     pub sections: Vec<SheetSection>,
-    /// What stands at its foot.
+    /// Text at the foot of the sheet.
     pub footer: String,
 }
 
@@ -27,7 +27,7 @@ pub struct Sheet {
 pub struct SheetSection {
     /// Title of the section.
     pub title: String,
-    /// What is to be said of it; empty for nothing.
+    /// Note on the section; empty for none.
     pub note: String,
     /// Tables of the section.
     pub tables: Vec<SheetTable>,
@@ -49,7 +49,7 @@ pub struct SheetTable {
 pub struct SheetFigure {
     /// The chart as SVG.
     pub svg: String,
-    /// What it shows.
+    /// Caption of the chart.
     pub caption: String,
 }
 

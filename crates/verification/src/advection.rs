@@ -17,7 +17,7 @@ pub(crate) struct Flow {
     pub(crate) box_cells: [usize; 3],
     /// Duration.
     pub(crate) period: f64,
-    /// Whether it is multiplied by cos(πt/T), so that everything returns to where it started.
+    /// Whether the flow is multiplied by cos(πt/T), so that everything returns to where it started.
     pub(crate) returns: bool,
     pub(crate) velocity: fn(DVec3) -> DVec3,
     /// Largest displacement between two remaps, in cells.

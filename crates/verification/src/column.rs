@@ -28,7 +28,7 @@ pub(crate) enum Soil {
 }
 
 impl Soil {
-    /// As in the name of a variant.
+    /// The soil as in the name of a variant.
     pub(crate) fn name(self) -> String {
         match self {
             Self::MohrCoulomb(angle) => format!("φ = {angle}°"),

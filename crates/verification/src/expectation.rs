@@ -19,11 +19,11 @@ pub enum Suite {
 #[derive(Debug, Deserialize)]
 #[serde(try_from = "Typed")]
 pub struct Expectation {
-    /// What is measured, with its unit, as in the table.
+    /// The quantity that is measured, with its unit, as in the table.
     pub quantity: String,
-    /// What is expected.
+    /// The expected value.
     pub target: Target,
-    /// How far the figure may deviate from it.
+    /// How far the figure may deviate from the expected value.
     pub tolerance: Tolerance,
     /// Author and year, or the reason.
     pub source: String,
@@ -74,7 +74,7 @@ struct Typed {
 #[derive(Debug, Deserialize)]
 #[serde(untagged, expecting = "expected true or a list of cases")]
 enum Fast {
-    /// Those of the full suite, or none.
+    /// The variants of the full suite, or none.
     Same(bool),
     These(Vec<String>),
 }
@@ -189,7 +189,7 @@ impl Expectation {
         }
     }
 
-    /// Whether it is about a variant in a part of the suite.
+    /// Whether the expectation is about a variant in a part of the suite.
     pub(crate) fn is_about(&self, case: &str, suite: Suite) -> bool {
         self.cases(suite).iter().any(|pattern| matches(pattern, case))
     }

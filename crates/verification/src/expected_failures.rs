@@ -1,7 +1,7 @@
 //! The rows that are expected to fail, each with its reason.
 //!
-//! They stand in one file. A row that fails without being listed, and one that is listed but passes, are both
-//! reported.
+//! Expected failures stand in one file. A row that fails without being listed, and one that is listed but
+//! passes, are both reported.
 
 use crate::list::find;
 use crate::row::Row;
@@ -19,7 +19,7 @@ pub struct ExpectedFailure {
     pub cases: Vec<String>,
     /// Quantities, as in the table.
     pub quantities: Vec<String>,
-    /// Why they fail.
+    /// Why the figures fail.
     pub reason: String,
 }
 
@@ -31,7 +31,7 @@ struct List {
 }
 
 impl ExpectedFailure {
-    /// Whether a row is one of these.
+    /// Whether a row is one of these failures.
     #[must_use]
     pub fn is_about(&self, row: &Row) -> bool {
         self.id == row.id

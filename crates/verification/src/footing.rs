@@ -138,7 +138,7 @@ fn bearing(runner: &mut Runner, variant: &str, cells: u32, offset: f64) -> Resul
 struct Strip {
     id: &'static str,
     case: &'static str,
-    /// Cells across it.
+    /// Cells across the footing.
     cells: u32,
     /// Cells by which both edges are moved outwards.
     offset: f64,
@@ -150,7 +150,7 @@ struct Strip {
 }
 
 impl Strip {
-    /// That of B1.
+    /// The footing of B1.
     fn smooth(cells: u32) -> Self {
         Self { id: "B1", case: CASE, cells, offset: 0.0, poisson_ratio: 0.3, flatness: 1, below: Vec::new() }
     }

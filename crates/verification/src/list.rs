@@ -17,7 +17,7 @@ pub struct Benchmark {
     pub id: &'static str,
     /// Folder of the benchmark in `validation/`.
     pub folder: &'static str,
-    /// The file of what it expects.
+    /// Text of the file of what the benchmark expects.
     expected: &'static str,
     pub(crate) work: Procedure,
 }
@@ -124,7 +124,7 @@ pub fn expectations() -> Result<&'static [Expectations], (&'static str, String)>
 }
 
 impl Benchmark {
-    /// What it expects; `None` if the files cannot be read.
+    /// Expectations of the benchmark; `None` if the files cannot be read.
     fn expectations(&self) -> Option<&'static Expectations> {
         expectations().ok()?.iter().find(|known| known.id == self.id)
     }
@@ -141,7 +141,7 @@ impl Benchmark {
         self.expectations().map_or("", |known| &known.about)
     }
 
-    /// Whether a page explains it; a benchmark on the balances of other runs has none.
+    /// Whether a page explains the benchmark; one on the balances of other runs has none.
     #[must_use]
     pub fn has_page(&self) -> bool {
         matches!(self.work, Procedure::Run(_))

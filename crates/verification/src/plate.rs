@@ -8,7 +8,7 @@ use coulter::history::BodySample;
 const CASE: &str = include_str!("../validation/B7_inclined_plate/case.toml");
 /// Length of the face below the ground in the case file [m].
 const LENGTH: f64 = 1.0;
-/// Speed along its normal in the case file [m/s].
+/// Speed along the normal of the plate in the case file [m/s].
 const SPEED: f64 = 0.02;
 /// Length of the face above the ground [m].
 const ABOVE: f64 = 0.5;

@@ -17,7 +17,7 @@ const RIGHT: f64 = 44.0;
 /// Errors beyond this many tolerances are drawn at the edge.
 const EDGE: f64 = 2.0;
 
-/// What the runs of a benchmark did, as SVG; `None` if nothing of it can be drawn.
+/// Curves of the runs of a benchmark, as SVG; `None` if nothing of it can be drawn.
 #[must_use]
 pub fn runs(title: &str, balances: &[&RunBalances]) -> Option<String> {
     let curves = |pick: fn(&Trace) -> Option<&Vec<[f64; 2]>>| -> Vec<Curve> {

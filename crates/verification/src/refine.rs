@@ -13,7 +13,7 @@ use coulter::confidence::OnMesh;
 /// A figure that can be obtained on meshes of different fineness.
 struct Study {
     id: &'static str,
-    /// What is resolved by the number of cells.
+    /// Name of the number of cells: the length that they resolve over their width.
     cells: &'static str,
     quantity: &'static str,
     /// Cells of the coarsest mesh.

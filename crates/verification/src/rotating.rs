@@ -22,7 +22,7 @@ use std::time::{Duration, Instant};
 const YOUNG: f64 = 1e7;
 /// Half edges of the block [m].
 const HALF: DVec2 = DVec2::new(0.5, 0.25);
-/// Speed of its corners over that of the compression wave.
+/// Speed of the corners of the block over that of the compression wave.
 const MACH: f64 = 0.01;
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {

@@ -7,22 +7,22 @@ use std::borrow::Cow;
 /// What a benchmark expects.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Expected {
-    /// This value.
+    /// The figure is to have this value.
     Value(f64),
-    /// At least this value.
+    /// The figure is to have at least this value.
     AtLeast(f64),
-    /// From the first to the second value.
+    /// The figure is to lie from the first to the second value.
     Between(f64, f64),
-    /// Nothing: the figure is for information.
+    /// No expectation: the figure is for information.
     Nothing,
 }
 
 /// How far a figure may deviate from what is expected.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Tolerance {
-    /// By this fraction of the expected value (of the nearer end of a range).
+    /// A fraction of the expected value (of the nearer end of a range).
     Relative(f64),
-    /// By this much, in the unit of the quantity.
+    /// A number, in the unit of the quantity.
     Absolute(f64),
     /// The figure is not judged.
     None,
@@ -34,19 +34,19 @@ pub struct Row {
     /// Benchmark, as in the design's list: "B1".
     #[serde(skip)]
     pub id: &'static str,
-    /// Which variant: "B/h = 16".
+    /// Variant of the benchmark: "B/h = 16".
     pub case: String,
-    /// What was measured, with its unit.
+    /// The quantity that was measured, with its unit.
     pub quantity: String,
-    /// What it should be.
+    /// The expected value.
     pub expected: Expected,
-    /// What it is.
+    /// The value obtained.
     pub obtained: f64,
-    /// How far it may deviate.
+    /// How far the value may deviate.
     pub tolerance: Tolerance,
     /// Source of the expected value.
     pub source: Cow<'static, str>,
-    /// Wall-clock time of the runs behind it [s].
+    /// Wall-clock time of the runs behind the value [s].
     pub seconds: f64,
 }
 
@@ -66,13 +66,13 @@ impl Row {
         }
     }
 
-    /// This figure beside what is expected of it.
+    /// The row with what is expected of its figure.
     #[must_use]
     pub(crate) fn expecting(self, expected: Expected, tolerance: Tolerance, source: &'static str) -> Self {
         Self { expected, tolerance, source: source.into(), ..self }
     }
 
-    /// This figure with the wall-clock time of the runs behind it [s].
+    /// The row with the wall-clock time of the runs behind its figure [s].
     #[must_use]
     pub fn took(self, seconds: f64) -> Self {
         Self { seconds, ..self }
@@ -120,7 +120,7 @@ impl Row {
         }
     }
 
-    /// Whether it is within its tolerance; `None` for an info or comparison row.
+    /// Whether the row is within its tolerance; `None` for an info or comparison row.
     #[must_use]
     pub fn passes(&self) -> Option<bool> {
         let (Tolerance::Relative(limit) | Tolerance::Absolute(limit)) = self.tolerance else { return None };
@@ -131,9 +131,9 @@ impl Row {
 /// The judgement on a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judgement {
-    /// Within its tolerance.
+    /// A row within its tolerance.
     Pass,
-    /// Outside its tolerance.
+    /// A row outside its tolerance.
     Fails,
     /// A comparison row within its published range.
     Inside,
@@ -160,7 +160,7 @@ impl Judgement {
 /// Rows for the tests of this crate.
 #[cfg(test)]
 impl Row {
-    /// This figure, expected to be `value` within a fraction of it.
+    /// The row, its figure expected to be `value` within a fraction of it.
     #[must_use]
     pub fn within(self, value: f64, fraction: f64, source: &'static str) -> Self {
         Self {
@@ -171,7 +171,7 @@ impl Row {
         }
     }
 
-    /// This figure, expected to be 0 within `limit`.
+    /// The row, its figure expected to be 0 within `limit`.
     #[must_use]
     pub fn at_most(self, limit: f64, source: &'static str) -> Self {
         Self {
@@ -182,7 +182,7 @@ impl Row {
         }
     }
 
-    /// This figure, expected to be at least `value`.
+    /// The row, its figure expected to be at least `value`.
     #[must_use]
     pub fn at_least(self, value: f64, source: &'static str) -> Self {
         Self {
@@ -193,7 +193,7 @@ impl Row {
         }
     }
 
-    /// This figure, expected to lie between two values, within a fraction of them.
+    /// The row, its figure expected to lie between two values, within a fraction of them.
     #[must_use]
     pub fn between(self, low: f64, high: f64, fraction: f64, source: &'static str) -> Self {
         Self {

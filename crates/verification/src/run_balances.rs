@@ -11,7 +11,7 @@ pub struct RunBalances {
     /// Benchmark.
     #[serde(skip)]
     pub id: &'static str,
-    /// Which variant.
+    /// Variant of the benchmark.
     pub case: String,
     /// Energy.
     pub energy: EnergySample,

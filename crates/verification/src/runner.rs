@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 
 /// Runs cases and collects the results.
 pub struct Runner<'a> {
-    /// What was asked for.
+    /// The options that were asked for.
     pub options: &'a SuiteOptions,
     /// The rows so far.
     pub rows: Vec<Row>,
@@ -63,7 +63,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// This runner for the study of convergence.
+    /// The runner for the study of convergence.
     pub(crate) fn refining(self) -> Self {
         Self { suite: Suite::Refine, ..self }
     }
@@ -118,7 +118,7 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    /// Does one part of a benchmark, unless the cache holds its results from this very program with the same
+    /// Does one part of a benchmark, unless the cache holds its results from this same program with the same
     /// options; then the cached rows and balances are taken.
     ///
     /// # Errors

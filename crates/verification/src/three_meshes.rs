@@ -16,7 +16,7 @@ const CASE: &str = include_str!("../validation/D11_three_meshes/case.toml");
 const MESHES: [(&str, f64); 3] = [("coarse", 2.25), ("middle", 1.5), ("fine", 1.0)];
 /// The body in the case file.
 const BODY: &str = "disc";
-/// Its figures: key, name, and how often its unit is in the SI unit.
+/// Figures of the body: key, name, and how many of its units the SI unit is.
 const FIGURES: [(&str, &str, f64); 3] = [
     ("drag_N", "drag F_H [N]", 1.0),
     ("sinkage_m", "sinkage [mm]", 1e3),

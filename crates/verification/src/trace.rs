@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 /// Points of a run in one picture at most.
 const MOST_POINTS: usize = 120;
 
-/// What a run did, in one line.
+/// The course of a run, as one line of a picture.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Trace {
-    /// Nothing that could be drawn.
+    /// No line to be drawn.
     #[default]
     None,
     /// Force against the motion [N], in plane strain per metre of width, over the displacement along it [m].

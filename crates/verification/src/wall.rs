@@ -75,9 +75,9 @@ struct Thrust {
     displacement: f64,
     /// Time since the sample before [s].
     interval: f64,
-    /// Over the undisturbed height.
+    /// Thrust over that with K_p = 1, by the undisturbed height.
     plain: f64,
-    /// Over the weight of the wedge, heave included.
+    /// Thrust over that with K_p = 1, by the weight of the wedge, heave included.
     heaved: f64,
 }
 

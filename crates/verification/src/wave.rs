@@ -49,7 +49,7 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
 /// A bar between smooth walls, one cell wide.
 #[derive(Clone, Copy)]
 struct Bar {
-    /// Cells over those of the coarse bar.
+    /// Refinement: cells over those of the coarse bar.
     refinement: usize,
     /// Axis of the bar.
     axis: usize,

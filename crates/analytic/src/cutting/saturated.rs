@@ -32,7 +32,7 @@ pub struct SaturatedCut {
     pub shear_suction: f64,
     /// Mean suction on the blade [Pa].
     pub blade_suction: f64,
-    /// Whether the water cavitates on both, so that the force is as large as it can be.
+    /// Whether the water cavitates on both surfaces, so that the force is as large as it can be.
     pub cavitates: bool,
 }
 

@@ -44,9 +44,9 @@ pub struct Seepage {
 /// Mean suction over ρ_w g v ε h_i/k_max, Miedema's p₁ₘ and p₂ₘ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanSuction {
-    /// On the shear plane.
+    /// Mean suction on the shear plane.
     pub shear_plane: f64,
-    /// On the blade.
+    /// Mean suction on the blade.
     pub blade: f64,
 }
 

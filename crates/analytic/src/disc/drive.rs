@@ -13,14 +13,16 @@ pub enum Drive {
     /// A brake or a stiff bearing resists forward rolling with this torque [N m]; it locks the disc where
     /// friction does not overcome it.
     Braked(f64),
-    /// A motor drives it forwards with this torque [N m]; the disc spins where friction does not balance it.
+    /// A motor drives the axle forwards with this torque [N m]; the disc spins where friction does not
+    /// balance it.
     Driven(f64),
     /// Rotation at a given [`crate::slip`]: −1 is locked, 0 free rolling, above 0 driven.
     Slip(f64),
 }
 
 impl Drive {
-    /// Whether it drives the body forwards: its drag is then the difference of a resistance and a thrust.
+    /// Whether the motor drives the body forwards: its drag is then the difference of a resistance and a
+    /// thrust.
     #[must_use]
     pub fn drives(&self) -> bool {
         match *self {

@@ -21,7 +21,7 @@ pub enum Equilibrium {
     None {
         /// Largest weight carried at any sinkage [N].
         largest_weight: f64,
-        /// Sinkage at which it is carried [m].
+        /// Sinkage at which the largest weight is carried [m].
         sinkage: f64,
     },
 }

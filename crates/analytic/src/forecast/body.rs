@@ -32,11 +32,11 @@ pub enum Body {
 /// A cone on a shaft, tip down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Penetrometer {
-    /// Diameter d of its base [m].
+    /// Diameter d of the base of the cone [m].
     pub diameter: f64,
-    /// Angle at its tip [rad], between opposite sides.
+    /// Angle at the tip [rad], between opposite sides.
     pub apex: f64,
-    /// Diameter of its shaft [m].
+    /// Diameter of the shaft [m].
     pub shaft: f64,
     /// Surface of the penetrometer.
     pub surface: FacetedBody,
@@ -57,7 +57,7 @@ pub struct Pipe {
     pub diameter: f64,
     /// Length of the pipe, or that of the slice of an infinitely long one [m].
     pub length: f64,
-    /// Whether it is such a slice.
+    /// Whether the pipe is a slice in plane strain.
     pub plane_strain: bool,
 }
 
@@ -107,9 +107,9 @@ pub struct Block {
     pub size: [f64; 3],
     /// Rotation about y [rad], positive when the top moves in the tow direction.
     pub orientation: f64,
-    /// Whether it is a slice of an infinitely wide block, without end effects.
+    /// Whether the block is a slice of an infinitely wide block, without end effects.
     pub plane_strain: bool,
-    /// Whether its base rests on soil.
+    /// Whether the base of the block rests on soil.
     pub has_base: bool,
 }
 
@@ -120,17 +120,17 @@ pub struct FacetedBody {
     pub length: f64,
     /// Width t across the tow [m].
     pub width: f64,
-    /// Shorter side of its plan [m]; in plane strain its length along the tow.
+    /// Shorter side of the body in plan [m]; in plane strain its length along the tow.
     pub breadth: f64,
-    /// Whether it is a slice of an infinitely wide body.
+    /// Whether the body is a slice of an infinitely wide body.
     pub plane_strain: bool,
-    /// Height of its bounding box [m].
+    /// Height of the bounding box of the body [m].
     pub height: f64,
-    /// Depth of its lowest point below its origin, through which the axle runs [m].
+    /// Depth of the lowest point of the body below its origin, through which the axle runs [m].
     pub below: f64,
-    /// The axle about which it rolls, if it does.
+    /// The axle about which the body rolls, if it does.
     pub axle: Axle,
-    /// Facets of its surface.
+    /// Facets of the surface of the body.
     pub facets: Arc<[Facet]>,
 }
 
@@ -139,9 +139,9 @@ pub struct FacetedBody {
 pub struct Front {
     /// Rake angle [rad]: 90° is upright, less leans back, more overhangs the soil ahead.
     pub rake: f64,
-    /// Height of its lower edge above the lowest edge of the block [m].
+    /// Height of the lower edge of the front above the lowest edge of the block [m].
     pub lower_edge: f64,
-    /// Height of its upper edge above the lowest edge of the block [m].
+    /// Height of the upper edge of the front above the lowest edge of the block [m].
     pub upper_edge: f64,
     /// Length of the block behind the front [m]; for an upright block the length of its base.
     pub length_behind: f64,
@@ -198,8 +198,8 @@ impl Body {
         }
     }
 
-    /// Height of its bounding box [m]; of a plate, whose own height does not matter, ten times its shorter
-    /// side.
+    /// Height of the bounding box of the body [m]; of a plate, whose own height does not matter, ten times
+    /// its shorter side.
     #[must_use]
     pub fn height(&self) -> f64 {
         match self {
@@ -223,8 +223,8 @@ impl Body {
         }
     }
 
-    /// Shorter side of its plan [m], which limits how deep it is when it is pressed down; in plane strain its
-    /// length along x.
+    /// Shorter side of the body in plan [m], which limits how deep it is when it is pressed down; in plane
+    /// strain its length along x.
     #[must_use]
     pub fn breadth(&self) -> f64 {
         match self {
@@ -237,7 +237,7 @@ impl Body {
         }
     }
 
-    /// The disc, if it is one.
+    /// The disc, if the body is one.
     #[must_use]
     pub fn disc(&self) -> Option<&Disc> {
         match self {
@@ -246,7 +246,7 @@ impl Body {
         }
     }
 
-    /// The block, if it is one.
+    /// The block, if the body is one.
     #[must_use]
     pub fn block(&self) -> Option<&Block> {
         match self {

@@ -91,8 +91,8 @@ impl Candidate {
         }
     }
 
-    /// Whether it is a plasticity solution, to be evaluated at the recommended [`super::Strength`]; the
-    /// others are fits to measurements.
+    /// Whether the model is a plasticity solution, to be evaluated at the recommended [`super::Strength`];
+    /// the others are fits to measurements.
     #[must_use]
     pub fn is_plastic(self) -> bool {
         matches!(

@@ -88,8 +88,8 @@ pub fn forecast(towing: &Towing) -> ModelResult<Forecast> {
     })
 }
 
-/// Some models, judged at this very case: a prediction outside the limits of its model is marked, as
-/// in [`forecast`].
+/// Some models, judged at the case itself: a prediction outside the limits of its model is marked, as in
+/// [`forecast`].
 ///
 /// # Errors
 /// If the case is out of range of all models. Where a single model does not apply, its entry gives the
@@ -103,7 +103,7 @@ pub fn judge(towing: &Towing, candidates: &[Candidate]) -> ModelResult<Vec<Model
     Ok(models)
 }
 
-/// The model recommended at this very case, or else the first that applies there without being recommended;
+/// The model recommended at the case itself, or else the first that applies there without being recommended;
 /// `None` where none applies.
 ///
 /// # Errors

@@ -65,7 +65,7 @@ pub struct ModelForecast {
     pub applicable: bool,
     /// Prediction of the model, if it has one, also outside its limits.
     pub prediction: Option<Prediction>,
-    /// Why it does not apply, or a caveat.
+    /// Why the model does not apply, or a caveat.
     pub note: String,
 }
 

@@ -100,7 +100,7 @@ struct Shaft {
 }
 
 impl Shaft {
-    /// That of a cone; `None` where it is so thin that the soil does not touch it.
+    /// The shaft of a cone; `None` where it is so thin that the soil does not touch it.
     fn of_cone(cone: &Penetrometer, z: f64) -> Option<Self> {
         let top = (z - cone.surface.height).max(0.0);
         let reach = [top, z - cone.tip()];
@@ -111,7 +111,7 @@ impl Shaft {
         })
     }
 
-    /// Friction on it [N]: in clay α s_u, in sand [`shaft_friction`].
+    /// Friction on the shaft [N]: in clay α s_u, in sand [`shaft_friction`].
     fn friction(&self, towing: &Towing) -> ModelResult<f64> {
         let Soil { body_friction, .. } = towing.soil;
         let [top, bottom] = self.reach;

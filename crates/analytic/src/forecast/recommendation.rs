@@ -40,7 +40,7 @@ const DRIVEN: &str = "No model is recommended. Only 3D-RFT applies, and the pull
     (both known when the interval was made; neither is a measurement), and a sinkage of 46 mm for 60 mm. It lets each grouser \
     push against undisturbed soil. The interval takes the errors of thrust and resistance to be independent, and the thrust to be \
     at most W tan φ.";
-/// What is known of it for discs with a yaw or a tilt.
+/// What is known of resistive force theory for discs with a yaw or a tilt.
 const TURNED: &str = "No model is recommended. Only 3D-RFT applies, and for discs with a yaw or a tilt it gave two to three times \
     the drag and the vertical force of the solver, and three to ten times the lateral force (D8). Trust its trends, not its \
     values.";

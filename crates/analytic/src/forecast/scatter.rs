@@ -38,7 +38,7 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    /// Over the applicable models; BC and PW of a disc count once, by the governing mechanism.
+    /// Scatter over the applicable models; BC and PW of a disc count once, by the governing mechanism.
     pub(super) fn of(models: &[ModelForecast]) -> Option<Self> {
         use super::Candidate::{Bearing, Governing, Wedge};
         let joined = models.iter().any(|m| m.model == Governing && m.applicable);

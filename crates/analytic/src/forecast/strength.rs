@@ -16,13 +16,13 @@ pub enum Strength {
 }
 
 impl Strength {
-    /// The one recommended for a case.
+    /// The strength recommended for a case.
     #[must_use]
     pub fn recommended(towing: &Towing) -> Self {
         if matches!(towing.body, Body::Block(_)) && !towing.pressed { Self::Davis } else { Self::Full }
     }
 
-    /// The other one.
+    /// The other strength.
     #[must_use]
     pub fn other(self) -> Self {
         if self == Self::Full { Self::Davis } else { Self::Full }

@@ -13,7 +13,7 @@ use crate::wheel::PressureSinkage;
 pub enum Load {
     /// Free to sink under this weight [N].
     Weight(f64),
-    /// Held at this sinkage [m].
+    /// The body is held at this sinkage [m].
     Sinkage(f64),
 }
 
@@ -31,10 +31,11 @@ pub struct Towing {
     pub load: Load,
     /// How the axle is driven.
     pub drive: Drive,
-    /// Whether it is pressed straight down, without a tow and without turning; a [`super::Plate`] always is.
+    /// Whether the body is pressed straight down, without a tow and without turning; a [`super::Plate`]
+    /// always is.
     pub pressed: bool,
-    /// Whether it is pulled straight up, from where it lies buried; it then counts as pressed, with an upward
-    /// motion.
+    /// Whether the body is pulled straight up, from where it lies buried; it then counts as pressed, with an
+    /// upward motion.
     pub raised: bool,
     /// Resistance of the soil over that of the models: their own error, 1 for their predictions.
     pub resistance_factor: f64,
@@ -186,7 +187,7 @@ impl Towing {
         reference_force(self.soil.unit_weight, count * t, d)
     }
 
-    /// This case with one parameter changed; the dilation angle is limited to the friction angle.
+    /// The case with one parameter changed; the dilation angle is limited to the friction angle.
     #[must_use]
     pub fn with(&self, parameter: Parameter, value: f64) -> Self {
         let mut case = self.clone();

@@ -14,7 +14,8 @@ pub struct Facet {
     pub normal: [f64; 3],
     /// Area [m²].
     pub area: f64,
-    /// Half of its vertical extent [m], for facets that are only partly below the ground; 0 for a point.
+    /// Half of the vertical extent of the facet [m], for facets that are only partly below the ground; 0 for
+    /// a point.
     pub half_height: f64,
 }
 
@@ -92,8 +93,8 @@ pub fn wrench(law: &impl Traction, facets: &[Facet], motion: &Motion) -> Wrench 
 
 /// Facets of a disc's rim between the angles `from` and `to` [rad] from its lowest point, axle along y.
 ///
-/// They are placed at Gauss points, so that few are needed. The flat faces of a disc move in their own plane,
-/// where the theory gives no traction.
+/// The facets are placed at Gauss points, so that few are needed. The flat faces of a disc move in their own
+/// plane, where the theory gives no traction.
 #[must_use]
 pub fn rim_facets(disc: &Disc, from: f64, to: f64) -> Vec<Facet> {
     let radius = 0.5 * disc.diameter;

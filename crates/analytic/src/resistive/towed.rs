@@ -12,7 +12,7 @@ const FREE: f64 = 0.75;
 /// The axle of a body, through its origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axle {
-    /// Unit vector along it, to the left of a body that rolls forward.
+    /// Unit vector along the axle, to the left of a body that rolls forward.
     pub direction: [f64; 3],
     /// Radius on which the body rolls [m].
     pub radius: f64,
@@ -37,11 +37,11 @@ impl Axle {
 /// A body of any shape by its facets.
 #[derive(Clone, Copy, Debug)]
 pub struct Faceted<'a> {
-    /// Facets of its surface.
+    /// Facets of the surface of the body.
     pub facets: &'a [Facet],
     /// Height of the body [m].
     pub height: f64,
-    /// Depth of its lowest point below its origin [m].
+    /// Depth of the lowest point of the body below its origin [m].
     pub below: f64,
     /// Axle of the body.
     pub axle: Axle,

@@ -6,7 +6,7 @@ use input::quantity::plain;
 
 /// Distance from the nearest face over the height of the cell below which a base lies on it (chosen).
 const NEAR: f64 = 0.1;
-/// Part of its plan above which the lowest facets of a body are a base (chosen: those of a round body are a
+/// Part of the plan of a body above which its lowest facets are a base (chosen: those of a round body are a
 /// few per cent).
 const FLAT: f64 = 0.2;
 

@@ -80,7 +80,7 @@ pub(super) fn in_soil(case: &Case, body: &Body, notes: &mut Vec<String>) {
     }
 }
 
-/// Part of its narrowest side by which a body may be moved through soil that has no strength (chosen: a
+/// Part of the narrowest side of a body by which it may be moved through soil that has no strength (chosen: a
 /// strain of one half).
 const ELASTIC_TRAVEL: f64 = 0.5;
 

@@ -39,7 +39,7 @@ fn resolution(case: &Case, notes: &mut Vec<String>) {
     let follows = |axis: usize| case.grid.follow.is_some_and(|follow| follow.axes[axis]);
     let [back, ahead] = Paths::of(case).of_grid();
     let widest = [0, 1].map(|axis| {
-        // What has passed the fine zone concerns nobody any more.
+        // Ground that has passed the fine zone does not matter any more.
         let enters = |f: &&[f64]| {
             if ahead[axis] >= -back[axis] {
                 f[1] > case.grid.fine_low[axis]

@@ -15,7 +15,7 @@ const TURN: Kind = Kind::Motion { still: LOCKED, way: ANGLE, speed: TURN_RATE, l
 
 type Field = KeyOf<Body>;
 
-/// Keys but for its shape and its motions, and where their values lie.
+/// Keys of a body but for its shape and its motions, and where their values lie.
 pub(super) const FIELDS: &[Field] = &[
     Field::new("friction", Kind::Friction, Place::Derived(|body| bounded(&mut body.friction)))
         .derived("required except for a frame")
@@ -102,5 +102,5 @@ fn bounded(number: &mut f64) -> Option<&mut f64> {
 
 const LISTS: &[&[Key]] = &[SHAPE, &declared::<_, { FIELDS.len() }>(FIELDS), MOTION];
 
-/// All of them: those of its shape first.
+/// All keys of a body: those of its shape first.
 pub(crate) const KEYS: &[Key] = &joined::<{ count(LISTS) }>(LISTS);

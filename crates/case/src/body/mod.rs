@@ -34,7 +34,7 @@ pub struct Body {
     pub mass: f64,
     /// Moment of inertia about the axle [kg m²] of the whole body.
     pub axle_inertia: f64,
-    /// Coefficient of friction μ of its surface against the soil; infinite for a rough (no-slip) one.
+    /// Coefficient of friction μ of the surface against the soil; infinite for a rough (no-slip) one.
     pub friction: f64,
     /// Adhesion factor α: the largest frictional traction over the undrained shear strength s_u, whatever the
     /// pressure; infinite for no such limit.
@@ -43,13 +43,13 @@ pub struct Body {
     pub translation: [Motion; 3],
     /// Yaw about the vertical, tilt about the axis that yaw carries, and spin about the axle.
     pub rotation: [Motion; 3],
-    /// What is welded to it.
+    /// Bodies that are welded to this one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<Part>,
-    /// How joints make it move; `None` without a joint.
+    /// How joints make the body move; `None` without a joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guide: Option<Guide>,
-    /// How it moves in a run of several stages.
+    /// How the body moves in a run of several stages.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub staged: Option<Staged>,
 }
@@ -61,8 +61,8 @@ pub struct Staged {
     pub motions: [Motion; 6],
     /// Least and largest displacement along x, y and z that is prescribed [m].
     pub bounds: [[f64; 2]; 3],
-    /// Whether it is known before the run how deep it is in that stage: not where a force ends the stage that
-    /// presses it.
+    /// Whether it is known before the run how deep the body is in that stage: not where a force ends the
+    /// stage that presses it.
     pub depth_is_known: bool,
 }
 
@@ -75,13 +75,13 @@ pub struct Part {
     pub shape: Shape,
     /// Reference point of the part, from that of the body that it belongs to, in the axes of that body [m].
     pub offset: DVec3,
-    /// Rotation of its frame to the frame of that body; its axle lies along y in its own.
+    /// Rotation of the part's frame to the frame of that body; the axle lies along y in the part's own frame.
     pub rotation: DQuat,
-    /// Rotation about its axle [rad].
+    /// Rotation of the part about its axle [rad].
     pub pitch: f64,
     /// Mass [kg].
     pub mass: f64,
-    /// Moment of inertia about its axle [kg m²].
+    /// Moment of inertia of the part about its axle [kg m²].
     pub axle_inertia: f64,
 }
 
@@ -92,7 +92,7 @@ impl Part {
         pitched(&self.shape, self.pitch)
     }
 
-    /// Whether its axes are those of the body.
+    /// Whether the axes of the part are those of the body.
     #[must_use]
     pub fn is_aligned(&self) -> bool {
         self.rotation == DQuat::IDENTITY
@@ -189,20 +189,20 @@ impl Body {
         [x, y, z, yaw, tilt, spin]
     }
 
-    /// The shape that its results refer to: its own, or that of the first part with a surface.
+    /// The shape that results of the body refer to: its own, or that of the first part with a surface.
     #[must_use]
     pub fn main_shape(&self) -> &Shape {
         let parts = self.parts.iter().map(|part| &part.shape);
         std::iter::once(&self.shape).chain(parts).find(|shape| shape.has_surface()).unwrap_or(&self.shape)
     }
 
-    /// Whether it has a surface that the soil can touch.
+    /// Whether the body has a surface that the soil can touch.
     #[must_use]
     pub fn has_surface(&self) -> bool {
         self.main_shape().has_surface()
     }
 
-    /// Least length that its shape is given along its own y [m], such as the thickness of a dished disc;
+    /// Least length that the shape is given along its own y [m], such as the thickness of a dished disc;
     /// infinite without one, or where it has several parts.
     #[must_use]
     pub fn thickness(&self) -> f64 {
@@ -210,7 +210,7 @@ impl Body {
         sizes.iter().filter(|size| size.axis == Some(1)).map(|size| size.length).fold(f64::INFINITY, f64::min)
     }
 
-    /// Diameter in which it rolls about its axle [m]; `None` for a body that cannot roll.
+    /// Diameter on which the body rolls about its axle [m]; `None` for a body that cannot roll.
     #[must_use]
     pub fn wheel_diameter(&self) -> Option<f64> {
         let on_the_axle = |part: &&Part| part.is_aligned() && part.offset.x == 0.0 && part.offset.z == 0.0;
@@ -221,20 +221,20 @@ impl Body {
             .and_then(|shape| shape.rolling_diameter())
     }
 
-    /// Diameter in which it rolls along the tow [m]; `None` for a body that cannot roll or whose axle is not
-    /// level across it.
+    /// Diameter on which the body rolls along the tow [m]; `None` for a body that cannot roll or whose axle
+    /// is not level across it.
     #[must_use]
     pub fn rolling_diameter(&self) -> Option<f64> {
         self.wheel_diameter().filter(|_| self.attitude.axle_is_across())
     }
 
-    /// How it moves: its own motions, or what joints make of them.
+    /// How the body moves: its own motions, or what joints make of them.
     #[must_use]
     pub fn guided(&self) -> Guide {
         self.guide.clone().unwrap_or_else(|| self.own_guide())
     }
 
-    /// How it moves without its joints.
+    /// How the body moves without its joints.
     #[must_use]
     pub fn own_guide(&self) -> Guide {
         let bounds = self.staged.as_ref().map(|staged| staged.bounds);
@@ -243,7 +243,7 @@ impl Body {
         Guide { translation: [x, y, z], rotation: [yaw, tilt], bounds }
     }
 
-    /// Whether its axle may leave the direction that it has at the start.
+    /// Whether the axle of the body may leave the direction that it has at the start.
     #[must_use]
     pub fn steers(&self) -> bool {
         self.guided().rotation.iter().any(|motion| *motion != Motion::Fixed)
@@ -312,7 +312,7 @@ impl Body {
         self.parts.iter().map(|part| part.mass).fold(self.mass, |sum, mass| sum + mass)
     }
 
-    /// Mass of the water that it displaces with its parts [kg], and the centre of its volume from the
+    /// Mass of the water that the body displaces with its parts [kg], and the centre of its volume from the
     /// reference point [m].
     #[must_use]
     pub(crate) fn displaced(&self, water: &Water, plane_strain: bool) -> (f64, DVec3) {

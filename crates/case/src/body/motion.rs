@@ -99,11 +99,11 @@ pub(crate) fn freedom(
 
 /// How a body rolls.
 pub(crate) struct Rolling<'a> {
-    /// Its motions forward and sideways.
+    /// Motions of the body forward and sideways.
     pub(crate) ways: [Option<&'a Motion>; 2],
-    /// Radius on which it rolls [m], if it can.
+    /// Radius on which the body rolls [m], if it can.
     pub(crate) radius: Option<f64>,
-    /// Its yaw [rad].
+    /// Yaw of the body [rad].
     pub(crate) yaw: f64,
 }
 

@@ -17,7 +17,7 @@ const NOMINAL_DENSITY: f64 = 7850.0;
 
 /// What other sections say of the bodies.
 pub(crate) struct Others<'a> {
-    /// Names of those that joints carry.
+    /// Names of the bodies that joints carry.
     pub(crate) carried: &'a [String],
     /// The stages.
     pub(crate) stages: &'a [Section],

@@ -23,7 +23,7 @@ const OVER_CONTACT: f64 = 8.0;
 /// up to ten times as long (chosen after a look at these).
 const OVER_SINKAGE: [f64; 2] = [5.0, 8.0];
 /// Cells over the longest body, beyond which they are not made smaller (the shipped cases have some 20 to
-/// 40): a thin or light body would need a grid that nobody waits for.
+/// 40): a thin or light body would need a grid on which a run takes too long.
 const AT_MOST: f64 = 40.0;
 /// Largest ratio of the widths of the cells; the shipped disc has it.
 const FLATTEST: f64 = 2.0;

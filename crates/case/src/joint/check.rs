@@ -26,7 +26,7 @@ pub(crate) fn joints(joints: &[Joint], bodies: &[Body], domain: &Domain, problem
     }
 }
 
-/// Whether its numbers are in range; reported if not.
+/// Whether the numbers of a joint are in range; reported if not.
 fn numbers(path: &str, joint: &Joint, problems: &mut Problems) -> bool {
     let before = problems.len();
     let mut vector = |name: &str, vector: DVec3| in_range(KEYS, path, name, &vector.to_array(), problems);

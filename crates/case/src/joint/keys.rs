@@ -10,7 +10,7 @@ use input::quantity::{DAMPING, LENGTH, STIFFNESS, TORQUE};
 
 type Field = KeyOf<Joint>;
 
-/// All of them.
+/// Keys of a joint, and where their values lie.
 pub(super) const FIELDS: &[Field] = &[
     Field::new("kind", Kind::Choice(&JOINTS), Place::Elsewhere).means(
         "A hinge, a ball joint or a slider, which let the second body rotate about an axis, rotate about a point, or move along an \
@@ -52,5 +52,5 @@ pub(super) const FIELDS: &[Field] = &[
         .means("Length without force (spring, cable)."),
 ];
 
-/// The same without places.
+/// Keys of a joint, without the places of their values.
 pub(crate) const KEYS: &[Key] = &declared::<_, { FIELDS.len() }>(FIELDS);

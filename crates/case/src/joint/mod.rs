@@ -27,9 +27,9 @@ pub struct Joint {
     pub first: Option<usize>,
     /// The second body, by number.
     pub second: usize,
-    /// Where it is at the start; of a spring its end at the second body [m].
+    /// Where the joint is at the start; of a spring its end at the second body [m].
     pub position: DVec3,
-    /// What it allows.
+    /// What motion the joint allows.
     pub kind: JointKind,
 }
 
@@ -41,7 +41,7 @@ pub enum JointKind {
     Hinge {
         /// Direction of the axis at the start.
         axis: DVec3,
-        /// Torque of friction in its bearing [N m].
+        /// Torque of friction in the bearing [N m].
         friction_torque: f64,
         /// Torque of a drive on the second body about the axis [N m].
         drive_torque: f64,
@@ -63,7 +63,7 @@ pub enum JointKind {
         damping: f64,
         /// Length without force [m].
         length: f64,
-        /// Whether it only pulls: a cable.
+        /// Whether the spring only pulls: a cable.
         is_cable: bool,
     },
 }
@@ -89,7 +89,7 @@ impl JointKind {
 }
 
 impl Joint {
-    /// Path of its section.
+    /// Path of the joint's section.
     pub(crate) fn path(&self) -> String {
         format!("joint.{}", self.name)
     }

@@ -14,7 +14,7 @@ pub(super) struct Sides {
     pub(super) usual: Bevel,
 }
 
-/// The faces from which it is cut.
+/// The faces from which the edge is cut.
 pub(super) fn read(section: &Section, sides: &Sides, problems: &mut Problems) -> Option<Bevel> {
     if !section.has("bevel") {
         return Some(sides.usual);
@@ -33,7 +33,7 @@ pub(super) fn read(section: &Section, sides: &Sides, problems: &mut Problems) ->
     }
 }
 
-/// In words: `bevelled at 20° to an edge of 2 mm`.
+/// The bevel in words: `bevelled at 20° to an edge of 2 mm`.
 pub(super) fn describe(angle: f64, edge: f64, length: &dyn Fn(f64) -> String) -> String {
     let edge = if edge > 0.0 { format!("an edge of {}", length(edge)) } else { "a knife edge".to_owned() };
     format!("bevelled at {}° to {edge}", (10.0 * angle.to_degrees()).round() / 10.0)

@@ -16,9 +16,9 @@ use serde::Serialize;
 /// A blade across the tow: its faces look along x.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Blade {
-    /// Edge lengths of the box round it [m]: thickness, width, height.
+    /// Edge lengths of the box round the blade [m]: thickness, width, height.
     pub size: DVec3,
-    /// How its lower end is sharpened; `None` if it is square.
+    /// How the lower end of the blade is sharpened; `None` if it is square.
     pub cutting_edge: Option<CuttingEdge>,
 }
 
@@ -46,7 +46,7 @@ impl Blade {
         field("bevel", Place::Elsewhere),
     ];
 
-    /// In plane strain it is as wide as the slab.
+    /// Reads a blade; in plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         let width = widths::across(section, "width", WIDE, slab, problems);
         let [height, thickness] = ["height", "thickness"].map(|key| required(KEYS, section, key, problems));
@@ -73,7 +73,7 @@ impl Blade {
 }
 
 impl CaseShape for Blade {
-    /// A square one is a block, and so is shown one whose lengths exclude each other.
+    /// The solid of the blade: a square one is a block, and so is shown one whose lengths exclude each other.
     fn solid(&self) -> Box<dyn geometry::Shape> {
         match self.profile() {
             Some(profile) if self.cutting_edge.is_some() => Box::new(Extruded::new(profile, self.size.y)),

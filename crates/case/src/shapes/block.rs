@@ -24,7 +24,7 @@ impl Block {
         field("size", Place::Number(|block| &mut block.size.z)),
     ];
 
-    /// In plane strain it is as wide as the slab.
+    /// Reads a block; in plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         missing(KEYS, section, "size", problems);
         let edges = section.list("size")?;

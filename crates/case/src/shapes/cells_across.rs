@@ -7,9 +7,9 @@ use glam::DVec3;
 /// The cells in the fine zone of a grid.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FineCells {
-    /// Their widths along x, y, z [m].
+    /// Widths of the cells along x, y, z [m].
     pub(crate) widths: DVec3,
-    /// Whether they are the slab of a plane strain case.
+    /// Whether the cells are the slab of a plane strain case.
     pub(crate) plane_strain: bool,
 }
 

@@ -13,7 +13,7 @@ use serde::Serialize;
 /// A cone on a shaft, its axis along z and its tip down.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Cone {
-    /// Diameter d of its base [m].
+    /// Diameter d of the base of the cone [m].
     pub diameter: f64,
     /// Angle at the tip [rad], between opposite sides.
     pub apex: f64,
@@ -44,7 +44,7 @@ impl Cone {
 }
 
 impl CaseShape for Cone {
-    /// One whose lengths exclude each other is shown as a cylinder.
+    /// The solid of the cone; one whose lengths exclude each other is shown as a cylinder.
     fn solid(&self) -> Box<dyn geometry::Shape> {
         let Self { diameter, length, .. } = *self;
         match self.profile() {

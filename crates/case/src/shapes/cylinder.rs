@@ -16,9 +16,9 @@ use serde::Serialize;
 pub struct Cylinder {
     /// Diameter d [m].
     pub diameter: f64,
-    /// Length along its axis [m].
+    /// Length along the axis of the cylinder [m].
     pub length: f64,
-    /// Direction of its axis.
+    /// Direction of the axis of the cylinder.
     pub axis: Axis,
 }
 
@@ -29,7 +29,7 @@ impl Cylinder {
         field("axis", Place::Elsewhere),
     ];
 
-    /// In plane strain it lies across the slab and is as long as the slab is wide.
+    /// Reads a cylinder; in plane strain it lies across the slab and is as long as the slab is wide.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         let diameter = required(KEYS, section, "diameter", problems);
         missing(KEYS, section, "axis", problems);

@@ -21,7 +21,7 @@ pub struct Disc {
     pub thickness: f64,
     /// Rim of the disc.
     pub rim: DiscRim,
-    /// How it is dished; `None` if it is flat.
+    /// How the disc is dished; `None` if it is flat.
     pub dish: Option<Dish>,
 }
 
@@ -38,7 +38,7 @@ impl Disc {
         field("hollow", Place::Elsewhere),
     ];
 
-    /// In plane strain it is as thick as the slab is wide.
+    /// Reads a disc; in plane strain it is as thick as the slab is wide.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         let diameter = required(KEYS, section, "diameter", problems);
         let thickness =
@@ -62,7 +62,7 @@ impl Disc {
         geometry::disc(self.diameter, self.thickness, self.rim, self.dish)
     }
 
-    /// Whether it is a flat cylinder.
+    /// Whether the disc is a flat cylinder.
     fn is_plain(&self) -> bool {
         self.rim == DiscRim::Square && self.dish.is_none()
     }
@@ -97,7 +97,7 @@ fn rim(section: &Section, thickness: Option<f64>, problems: &mut Problems) -> Op
 }
 
 impl CaseShape for Disc {
-    /// One whose lengths exclude each other is shown as a plain disc.
+    /// The solid of the disc; one whose lengths exclude each other is shown as a plain disc.
     fn solid(&self) -> Box<dyn geometry::Shape> {
         match self.profile() {
             Some(profile) if !self.is_plain() => Box::new(Revolved::new(profile, Axis::Y)),

@@ -29,7 +29,7 @@ impl CaseShape for Frame {
         Vec::new()
     }
 
-    /// None: it has no dimensionless groups.
+    /// No length: a frame has no dimensionless groups.
     fn reference_length(&self) -> f64 {
         0.0
     }

@@ -6,7 +6,7 @@ use input::key::DefaultValue::{Derived, Quantity, Required, Word};
 use input::key::{Key, KeyOf, Kind, Place, key};
 use input::quantity::{ANGLE, LENGTH};
 
-/// All of them. A shape says which of them it has, and where their values lie.
+/// All keys of shapes. A shape says which of them it has, and where their values lie.
 pub(crate) const KEYS: &[Key] = &[
     key(
         "shape",

@@ -20,9 +20,9 @@ use std::sync::{Arc, OnceLock};
 pub struct MeshBody {
     /// The file, as typed.
     pub file: String,
-    /// Unit of its coordinates [m].
+    /// Unit of the coordinates in the file [m].
     pub unit: f64,
-    /// Hash of its content.
+    /// Hash of the content of the file.
     pub hash: String,
     #[serde(skip)]
     content: Arc<Content>,
@@ -34,7 +34,7 @@ struct Content {
     path: PathBuf,
     solid: geometry::Polyhedron,
     report: MeshReport,
-    /// Whether it is its own mirror image in the planes across the axes, once that was asked.
+    /// Whether the surface is its own mirror image in the planes across the axes, once that was asked.
     mirrored: [OnceLock<bool>; 3],
 }
 
@@ -84,7 +84,7 @@ impl MeshBody {
             .ok()
     }
 
-    /// A place of its surface [m] in the coordinates of the file, in words.
+    /// A place of the surface [m] in the coordinates of the file, in words.
     pub(crate) fn place_in_file(&self, place: DVec3) -> String {
         mesh_file::place_in_file(place, self.unit)
     }
@@ -95,7 +95,7 @@ impl MeshBody {
         &self.content.path
     }
 
-    /// What its surface is like, and what was repaired.
+    /// What the surface is like, and what was repaired.
     #[must_use]
     pub fn report(&self) -> &MeshReport {
         &self.content.report
@@ -107,7 +107,7 @@ impl CaseShape for MeshBody {
         Box::new(self.content.solid.clone())
     }
 
-    /// The edges of its box.
+    /// The edges of the bounding box of the mesh.
     fn sizes(&self) -> Vec<Size> {
         (0..3).map(|axis| Size::along("file", self.report().size[axis], axis)).collect()
     }
@@ -158,5 +158,6 @@ impl CaseShape for MeshBody {
     }
 }
 
-/// Distance over its size up to which a body may differ from its mirror image: more than the rounding of STL.
+/// Distance over the size of a body up to which it may differ from its mirror image: more than the rounding
+/// of STL.
 const MIRRORED: f64 = 1e-5;

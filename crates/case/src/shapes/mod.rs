@@ -61,7 +61,7 @@ macro_rules! shapes {
                 }
             }
 
-            /// The numbers that describe it, each with its key.
+            /// The numbers that describe the shape, each with its key.
             #[must_use]
             pub fn numbers(&self) -> Numbers {
                 let placed = match self {

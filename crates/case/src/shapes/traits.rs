@@ -9,17 +9,17 @@ use input::mesh_file::MeshReport;
 pub trait CaseShape {
     /// The shape with its geometry: distances, contact points, mesh.
     fn solid(&self) -> Box<dyn geometry::Shape>;
-    /// Every length that describes it.
+    /// Every length that describes the shape.
     fn sizes(&self) -> Vec<Size>;
-    /// Numbers that describe it and do not lie in a place, each with its key.
+    /// Numbers that describe the shape and do not lie in a place, each with its key.
     fn other_numbers(&self) -> Numbers {
         Vec::new()
     }
-    /// Why its numbers, each in the range of its key, exclude each other, if they do.
+    /// Why the numbers of the shape, each in the range of its key, exclude each other, if they do.
     fn conflict(&self) -> Option<Conflict> {
         None
     }
-    /// Why it cannot be part of a slab in plane strain, if it cannot.
+    /// Why the shape cannot be part of a slab in plane strain, if it cannot.
     fn plane_strain_conflict(&self) -> Option<Conflict> {
         None
     }
@@ -27,33 +27,34 @@ pub trait CaseShape {
     fn reference_length(&self) -> f64;
     /// Reference width t across the tow [m] of the dimensionless groups.
     fn reference_width(&self) -> f64;
-    /// Diameter in which it rolls about y [m]; `None` if it cannot roll.
+    /// Diameter on which the shape rolls about y [m]; `None` if it cannot roll.
     fn rolling_diameter(&self) -> Option<f64> {
         None
     }
-    /// Whether it has a surface that the soil can touch.
+    /// Whether the shape has a surface that the soil can touch.
     fn has_surface(&self) -> bool {
         true
     }
-    /// Whether its sides across an axis of its own are flat.
+    /// Whether the sides of the shape across an axis of its own are flat.
     fn has_flat_sides(&self, axis: usize) -> bool;
-    /// Whether it is its own mirror image in the plane through its reference point across an axis of its own.
+    /// Whether the shape is its own mirror image in the plane through its reference point across an axis of
+    /// its own.
     fn is_mirrored(&self, _axis: usize) -> bool {
         true
     }
-    /// Thinnest place of the shape, where its `sizes` do not say how thin it is.
+    /// Thinnest place of the shape, where `sizes` do not say how thin the shape is.
     fn thinnest(&self, _search: &ThinSearch) -> Option<Thin> {
         None
     }
-    /// What its surface is like, if that was read from a file.
+    /// What the surface of the shape is like, if that was read from a file.
     fn mesh_report(&self) -> Option<&MeshReport> {
         None
     }
-    /// In words, with the kind first; lengths [m] are written by the caller's function.
+    /// The shape in words, with the kind first; lengths [m] are written by the caller's function.
     fn describe(&self, length: &dyn Fn(f64) -> String) -> String;
-    /// What the closed-form models take it for.
+    /// What the closed-form models take the shape for.
     fn closed_form(&self) -> ClosedForm;
-    /// How they simplify it, in words; `None` where they do not.
+    /// How the closed-form models simplify the shape, in words; `None` where they do not.
     fn closed_form_note(&self) -> Option<&'static str> {
         None
     }
@@ -66,12 +67,12 @@ pub struct Size {
     pub key: &'static str,
     /// The length [m].
     pub length: f64,
-    /// The axis along which it is measured; `None` for several.
+    /// The axis along which the length is measured; `None` for several.
     pub axis: Option<usize>,
 }
 
 impl Size {
-    /// A length along one axis [m].
+    /// The size of a length along one axis [m].
     pub(super) fn along(key: &'static str, length: f64, axis: usize) -> Self {
         Self { key, length, axis: Some(axis) }
     }
@@ -89,7 +90,7 @@ pub struct Conflict {
     pub key: &'static str,
     /// What is wrong.
     pub message: &'static str,
-    /// How to fix it.
+    /// How to resolve the conflict.
     pub cure: &'static str,
 }
 
@@ -121,13 +122,13 @@ pub enum ClosedForm {
         /// Height [m].
         height: f64,
     },
-    /// Nothing: it has no surface.
+    /// Nothing: the shape has no surface.
     None,
     /// Any other surface, divided into facets.
     Facets {
         /// Size along the tow [m].
         length: f64,
-        /// Size across it [m].
+        /// Size across the tow [m].
         width: f64,
     },
 }

@@ -15,7 +15,7 @@ use serde::Serialize;
 /// A right-angled wedge: base level, back upright, its edge in front (+x) at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Wedge {
-    /// Edge lengths of the box round it [m]: length, width, height.
+    /// Edge lengths of the box round the wedge [m]: length, width, height.
     pub size: DVec3,
 }
 
@@ -26,7 +26,7 @@ impl Wedge {
         field("height", Place::Number(|wedge| &mut wedge.size.z)),
     ];
 
-    /// In plane strain it is as wide as the slab.
+    /// Reads a wedge; in plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         let width = widths::across(section, "width", WIDE, slab, problems);
         let [length, height] = ["length", "height"].map(|key| required(KEYS, section, key, problems));

@@ -14,7 +14,7 @@ use serde::Serialize;
 /// A wheel with grousers, axle along y.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Wheel {
-    /// Diameter d of its rim, between the grousers [m].
+    /// Diameter d of the rim, between the grousers [m].
     pub diameter: f64,
     /// Width t along the axle [m].
     pub thickness: f64,
@@ -31,7 +31,7 @@ impl Wheel {
         field("grousers", Place::Elsewhere),
     ];
 
-    /// In plane strain it is as wide as the slab.
+    /// Reads a wheel; in plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         let diameter = required(KEYS, section, "diameter", problems);
         let thickness =
@@ -49,7 +49,7 @@ impl Wheel {
 }
 
 impl CaseShape for Wheel {
-    /// One whose grousers do not fit is shown without them.
+    /// The solid of the wheel; one whose grousers do not fit is shown without them.
     fn solid(&self) -> Box<dyn geometry::Shape> {
         match self.profile() {
             Some(profile) => Box::new(Extruded::new(profile, self.thickness)),
@@ -84,7 +84,7 @@ impl CaseShape for Wheel {
         self.thickness
     }
 
-    /// That of the rim, as slip is usually stated for wheels with grousers.
+    /// Diameter of the rim [m], as slip is usually stated for wheels with grousers.
     fn rolling_diameter(&self) -> Option<f64> {
         Some(self.diameter)
     }

@@ -101,19 +101,19 @@ impl Soil {
         self.law.check_at(self.density, path, problems);
     }
 
-    /// Young's modulus where it is largest [Pa].
+    /// Largest Young's modulus of the soil [Pa].
     #[must_use]
     pub fn stiffest_modulus(&self) -> f64 {
         self.young_modulus * self.law.stiffening()
     }
 
-    /// What its law has to know of the soil.
+    /// What the law has to know of the soil at the start.
     pub(crate) fn initial(&self) -> Initial {
         let elastic = Elastic::new(self.stiffest_modulus(), self.poisson_ratio);
         Initial { density: self.density, elastic }
     }
 
-    /// This soil at another density [kg/m³], under the same gravity.
+    /// The soil at another density [kg/m³], under the same gravity.
     #[must_use]
     pub fn at_density(&self, density: f64) -> Self {
         Self { density, unit_weight: self.unit_weight * (density / self.density), ..self.clone() }
@@ -131,7 +131,7 @@ impl Soil {
         self.law.sand().map_or(0.0, |sand| sand.density_gradient)
     }
 
-    /// This soil as it is at a depth below its top [m].
+    /// The soil as it is at a depth below its top [m].
     #[must_use]
     pub fn at_depth(&self, depth: f64) -> Self {
         let soil = Self { law: self.law.at_depth(depth), ..self.clone() };

@@ -18,7 +18,7 @@ pub(super) const FIELDS: &[Field] = &[
     Field::new("until", Kind::Until, Place::Elsewhere).derived("the duration").means("What ends the stage."),
 ];
 
-/// The same without places.
+/// Keys of a stage, without the places of their values.
 pub(crate) const KEYS: &[Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
 
 /// Keys of what ends a stage.

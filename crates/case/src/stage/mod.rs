@@ -17,11 +17,11 @@ use std::path::PathBuf;
 pub struct Stage {
     /// Name of the stage in the file.
     pub name: String,
-    /// How long it lasts [s]; where something else ends it, how long at most.
+    /// How long the stage lasts [s]; where something else ends it, how long at most.
     pub duration: f64,
-    /// What ends it.
+    /// What ends the stage.
     pub until: Option<Until>,
-    /// The motions that change at its beginning.
+    /// The motions that change at the beginning of the stage.
     pub changes: Vec<Change>,
 }
 
@@ -32,7 +32,7 @@ pub struct Change {
     pub body: usize,
     /// The degree of freedom, by its number in [`super::body::MOTIONS`].
     pub motion: usize,
-    /// How it moves from then on; its times count from there.
+    /// How the body moves from then on; times of the motion count from there.
     pub to: Motion,
 }
 
@@ -41,7 +41,7 @@ pub struct Change {
 pub struct Until {
     /// The body, by number.
     pub body: usize,
-    /// Which quantity.
+    /// The quantity that ends the stage.
     pub quantity: StageQuantity,
     /// Value that ends the stage, in SI units.
     pub value: f64,
@@ -64,7 +64,7 @@ pub enum StageQuantity {
 }
 
 impl StageQuantity {
-    /// All of them, each with its key.
+    /// All quantities that can end a stage, each with its key.
     pub const ALL: [(&'static str, Self); 5] = [
         ("sinkage", Self::Sinkage),
         ("displacement", Self::Displacement),

@@ -6,7 +6,7 @@ use crate::path::body_length;
 use crate::resolved::Case;
 use input::quantity::{plain, short};
 
-/// Mean strain under its own weight beyond which soil is doubted (chosen): loose sand and soft clay are
+/// Mean strain of soil under its own weight beyond which it is doubted (chosen): loose sand and soft clay are
 /// compressed by 1 to 2 %.
 const SOFT: f64 = 0.05;
 /// Young's modulus over the stress that the soil bears beyond which it is doubted (chosen): that of dense

@@ -47,7 +47,7 @@ pub(super) fn whole(case: &Case, problems: &mut Problems) {
     }
 }
 
-/// Every part by itself.
+/// Checks every part of the case by itself.
 fn parts(case: &Case, problems: &mut Problems) {
     names::case_name(&case.name, problems);
     top::check_gravity(case.gravity, problems);

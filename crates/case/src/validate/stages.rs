@@ -30,13 +30,13 @@ pub(super) fn ends(case: &Case, problems: &mut Problems) {
 
 /// What is known before the run of the end of a stage.
 struct Expected {
-    /// What it waits for [m].
+    /// Value of the quantity that the stage waits for [m].
     value: f64,
-    /// What that is as the stage begins [m].
+    /// Value of that quantity as the stage begins [m].
     begins: f64,
-    /// The least and the most that it may become in the stage [m].
+    /// The least and the most that the quantity may become in the stage [m].
     range: [f64; 2],
-    /// What is not known of it [m].
+    /// What is not known of that quantity [m].
     slack: f64,
 }
 

@@ -15,11 +15,11 @@ struct VariationCost {
     what: String,
     /// Work over that of the case itself.
     relative_cost: f64,
-    /// Estimated time of its run on this machine [s].
+    /// Estimated time of the variation's run on this machine [s].
     estimated_wall_s: Option<f64>,
 }
 
-/// All variations, and those that do not apply: name and reason.
+/// The cost of all variations, and those that do not apply: name and reason.
 #[derive(Debug, Serialize)]
 pub(super) struct VariationCosts {
     runs: Vec<VariationCost>,

@@ -27,7 +27,7 @@ pub struct RunRequest {
     pub start: Start,
     /// Threads of each process, 0 for as many as [`cores::threads_by_default`]; by default those of the case.
     pub threads: Option<u16>,
-    /// With variations: which, and how long they may take together, if there is a limit.
+    /// Which variations to run, and how long they may take together, if there is a limit.
     pub variations: Option<(Asked, Option<Budget>)>,
     /// How accurate the figures are to be on cells that the run chooses.
     pub accuracy: Option<Accuracy>,

@@ -31,7 +31,7 @@ pub struct SweepRequest {
 pub struct SweptStudy {
     /// Folder of the study.
     pub folder: PathBuf,
-    /// What has become of its cases.
+    /// How many cases of the study have become what.
     pub counts: Counts,
 }
 

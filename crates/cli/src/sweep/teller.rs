@@ -39,7 +39,7 @@ struct State {
 }
 
 impl Teller {
-    /// Of the cases of a study, some of which may have an outcome already.
+    /// A teller of the cases of a study, some of which may have an outcome already.
     pub(super) fn of(shared: &Shared, lines: &[CaseLine], quiet: bool) -> Self {
         let had = shared.store.with_outcome().unwrap_or_default();
         let mut seen = BTreeSet::new();
@@ -91,7 +91,7 @@ impl Teller {
     /// Prints a line on standard output, or on standard error where that is for something else.
     fn print(&self, text: &str) {
         self.bar.suspend(|| {
-            // Where nobody listens any more the study goes on.
+            // Where no one reads the output any more the study goes on.
             if self.quiet {
                 tell(text);
             } else {

@@ -122,9 +122,9 @@ fn measure_in<R: Precision>(options: &Options) -> Result<Measurement, Breakdown>
 
 /// What a number of steps took.
 struct Taken {
-    /// By the wall clock [s].
+    /// Wall-clock time [s].
     wall: f64,
-    /// Of processor time, all threads together [s].
+    /// Processor time, all threads together [s].
     processor: f64,
 }
 

@@ -19,20 +19,21 @@ pub struct Measurement {
     pub filled_cells: usize,
     /// Steps measured.
     pub steps: u32,
-    /// Remaps among them.
+    /// Remaps among the steps.
     pub remaps: u64,
-    /// How many steps take as long as a remap, one thread.
+    /// Number of steps that take as long as a remap, one thread.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub steps_in_remap: Option<f64>,
-    /// In single precision: speed of one thread over that in double precision.
+    /// Speed of one thread in single precision over that in double precision; only of a run in single
+    /// precision.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub times_double: Option<f64>,
-    /// In single precision: memory over that of double precision.
+    /// Memory in single precision over that in double precision; only of a run in single precision.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub memory_of_double: Option<f64>,
     /// Million steps of a cell with soil per second of processor time, one thread.
     pub million_cell_steps_per_core_second: f64,
-    /// The same of all threads together.
+    /// Million steps of a cell with soil per second of processor time, all threads together.
     pub million_cell_steps_per_core_second_threads: f64,
     /// Speed of all threads over that of one, by the wall clock.
     pub speed_up: f64,
@@ -41,13 +42,15 @@ pub struct Measurement {
     /// Traffic with the main memory that one thread can have [GB/s].
     #[serde(rename = "triad_GB_per_s")]
     pub triad: f64,
-    /// Multiply-adds that one thread can do in this precision [GFLOP/s]; measured in double precision.
+    /// Multiply-adds that one thread can do in the precision of the run [GFLOP/s]; measured in double
+    /// precision.
     #[serde(rename = "fma_GFLOP_per_s")]
     pub fma: f64,
-    /// The same of all threads.
+    /// Traffic with the main memory that all threads can have [GB/s].
     #[serde(rename = "triad_threads_GB_per_s")]
     pub triad_threads: f64,
-    /// The same of all threads.
+    /// Multiply-adds that all threads can do in the precision of the run [GFLOP/s]; measured in double
+    /// precision.
     #[serde(rename = "fma_threads_GFLOP_per_s")]
     pub fma_threads: f64,
     /// Share of the cell-steps in which the soil yields.

@@ -20,7 +20,7 @@ pub struct Network {
 /// Numbers in the messages that are measured.
 const LENGTHS: [usize; 6] = [1, 64, 1 << 10, 1 << 13, 1 << 16, 1 << 18];
 
-/// Times that each is sent; the shortest counts, when nobody disturbed it.
+/// Times that each message is sent; the shortest time counts, which nothing disturbed.
 const ROUNDS: usize = 40;
 
 impl Network {

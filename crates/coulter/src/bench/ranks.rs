@@ -34,7 +34,7 @@ pub struct RankMeasurement {
     pub filled_cells: usize,
     /// Steps measured.
     pub steps: u32,
-    /// Remaps among them.
+    /// Remaps among the steps.
     pub remaps: u64,
     /// Wall clock [s].
     pub step_s: f64,
@@ -44,7 +44,7 @@ pub struct RankMeasurement {
     pub contact: f64,
     /// Messages to neighbours, most of any process.
     pub messages: f64,
-    /// Bytes in them, most of any process.
+    /// Bytes in messages to neighbours, most of any process.
     pub message_bytes: f64,
     /// Bytes in messages per row of cells at a cut; 0 without cuts.
     pub bytes_per_cut_row: f64,
@@ -62,7 +62,7 @@ pub struct RankMeasurement {
 /// Why a case cannot be measured in several processes.
 #[derive(Debug, thiserror::Error)]
 pub enum RankError {
-    /// There are more of them than the grid has blocks.
+    /// There are more processes than the grid has blocks.
     #[error(transparent)]
     Blocks(#[from] TooManyBlocks),
     /// The physics failed.

@@ -45,13 +45,13 @@ pub struct Modelled {
     /// Time of a step of the case [s]; none where its grid has too few layers for so many blocks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strong_s: Option<f64>,
-    /// The portion of it that is communication.
+    /// Portion of the time of a step of the case that is communication.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strong_communication: Option<f64>,
     /// Time of a step of a case so many times as large, in which each process has as many cells as the case
     /// [s].
     pub weak_s: f64,
-    /// The portion of it that is communication.
+    /// Portion of the time of a step of the larger case that is communication.
     pub weak_communication: f64,
 }
 

@@ -18,7 +18,7 @@ const NODES: f64 = 109.0;
 /// mass, velocity (3), displacement (3). Written: stress (6), gap, velocity (3), displacement (3).
 const NUMBERS: f64 = 15.0 + 13.0;
 
-/// What was done in how long.
+/// Work that was done, and the time that it took.
 pub(super) struct Work {
     pub(super) cell_steps: f64,
     /// Cell-steps in which the soil yields.

@@ -6,7 +6,7 @@ use results::formats;
 use serde_json::{Map, Value, json};
 
 impl TestKind {
-    /// Its name, on the command line and in documents.
+    /// Name of the kind of test, on the command line and in documents.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

@@ -3,7 +3,7 @@
 use super::path::{Course, PathPoint, Test, TestKind};
 use case::resolved::Soil;
 
-/// In what a figure is shown.
+/// The unit in which a figure is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureUnit {
     /// A stress or a modulus [Pa].
@@ -21,13 +21,13 @@ pub enum FigureUnit {
 /// A key figure of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyFigure {
-    /// Its name in documents, with its SI unit.
+    /// Name of the figure in documents, with its SI unit.
     pub key: &'static str,
-    /// Its symbol in tables; empty for one that they leave out.
+    /// Symbol of the figure in tables; empty for one that they leave out.
     pub label: &'static str,
-    /// In what it is shown.
+    /// Unit in which the figure is shown.
     pub unit: FigureUnit,
-    /// Its value in SI units; not-a-number where the test did not get that far.
+    /// Value of the figure in SI units; not-a-number where the test did not get that far.
     pub value: f64,
 }
 
@@ -45,7 +45,7 @@ pub struct SecantModulus {
 pub struct KeyFigures {
     /// Secant moduli by pressure, in compression.
     pub moduli: Vec<SecantModulus>,
-    /// The others.
+    /// The other key figures.
     pub list: Vec<KeyFigure>,
 }
 

@@ -29,7 +29,7 @@ impl TestKind {
 /// A test of a specimen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Test {
-    /// Which test.
+    /// Kind of the test.
     pub kind: TestKind,
     /// Pressure at the start [Pa]: all round, but the vertical one in shear and in the oedometer.
     pub pressure: f64,
@@ -69,7 +69,7 @@ pub struct PathPoint {
 /// How a test ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// As asked.
+    /// Complete: the test ended as asked.
     Complete,
     /// Early: no strain increment keeps the controlled stresses.
     Failed,
@@ -82,7 +82,7 @@ pub enum Ending {
 pub struct Course {
     /// The points that were recorded, from the start on.
     pub points: Vec<PathPoint>,
-    /// How it ended.
+    /// How the test ended.
     pub ending: Ending,
 }
 

@@ -13,7 +13,7 @@ use input::quantity::plain;
 /// Which specimens are tested, and how far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Which test.
+    /// Kind of the test.
     pub kind: TestKind,
     /// Pressures at the start [Pa].
     pub pressures: Vec<f64>,
@@ -42,11 +42,11 @@ pub enum ElementError {
     /// A number is out of range.
     #[error("{what} {value} is out of range: it must be {range}")]
     Range {
-        /// What it is.
+        /// Name of the number.
         what: &'static str,
         /// The number, with its unit.
         value: String,
-        /// What is allowed.
+        /// The range that is allowed.
         range: String,
     },
     /// The soil cannot have such a density.
@@ -54,10 +54,10 @@ pub enum ElementError {
     Density {
         /// The density, with its unit.
         density: String,
-        /// What is wrong with it.
+        /// What is wrong with the density.
         problem: Problem,
     },
-    /// It fails at the start.
+    /// The specimen fails at the start.
     #[error("{0}; add  k0 = 1  to [soil] or --set soil.k0=1, or choose another pressure")]
     Unsustained(#[from] Unsustained),
 }

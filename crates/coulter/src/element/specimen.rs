@@ -11,7 +11,7 @@ use solver::material::Material;
 pub struct Held {
     /// Number of the stress among xx, yy, zz, xy, yz, xz.
     pub component: usize,
-    /// Its value [Pa], not 0.
+    /// Value of the stress that is held [Pa], not 0.
     pub stress: f64,
     /// Direction of the free strain.
     pub direction: Symmetric,
@@ -60,7 +60,7 @@ impl Specimen {
         self.point.density
     }
 
-    /// The same after a small strain increment: the step of the solver, at a point.
+    /// The specimen after a small strain increment: the step of the solver, at a point.
     #[must_use]
     pub fn strained(mut self, increment: Symmetric) -> Self {
         let old = self.point.stress;
@@ -105,8 +105,8 @@ impl Specimen {
         self.material.stiffening().map_or(elastic, |stiffening| stiffening.moduli(elastic, -mean(stress)))
     }
 
-    /// The same after a small strain increment of which a portion is free, so that a stress is held; `None`
-    /// where no such strain was found: the specimen fails.
+    /// The specimen after a small strain increment of which a portion is free, so that a stress is held;
+    /// `None` where no such strain was found: the specimen fails.
     #[must_use]
     pub fn strained_under(&self, increment: Symmetric, held: &Held) -> Option<Self> {
         let moved = |strain: f64| {

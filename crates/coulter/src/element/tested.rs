@@ -13,7 +13,7 @@ pub struct Tested {
     pub relative_density: Option<f64>,
     /// The curve.
     pub course: Course,
-    /// Its key figures.
+    /// Key figures of the test.
     pub figures: KeyFigures,
 }
 
@@ -22,12 +22,12 @@ pub struct Tested {
 pub struct ElementTests {
     /// Name of the case.
     pub case: String,
-    /// Which test.
+    /// Kind of the test.
     pub kind: TestKind,
     /// The soil.
     pub soil: Soil,
     /// Every specimen: for each density all pressures.
     pub tested: Vec<Tested>,
-    /// What a reader should know about them.
+    /// What a reader should know about the tests.
     pub remarks: Vec<String>,
 }

@@ -45,7 +45,7 @@ pub struct Curves {
     pub left_out: Vec<String>,
     /// Whether the axes are logarithmic.
     pub logarithmic: bool,
-    /// One per model that has an answer anywhere.
+    /// One curve for each model that has an answer anywhere.
     pub series: Vec<Series>,
 }
 

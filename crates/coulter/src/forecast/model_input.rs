@@ -20,11 +20,11 @@ use results::history::reference::Reference;
 pub struct ModelInput {
     /// Names of the bodies: one, or several equal discs.
     pub bodies: Vec<String>,
-    /// What they are, in one word.
+    /// Kind of the bodies, in one word.
     pub kind: &'static str,
     /// The body under tow.
     pub towing: Towing,
-    /// Whether it is towed along −x, so that the models are given its mirror image.
+    /// Whether the body is towed along −x, so that the models are given its mirror image.
     pub mirrored: bool,
     /// Load on a free heave in addition to the weight m g, downwards [N].
     pub extra_load: f64,
@@ -185,7 +185,7 @@ fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<Stri
 
 /// The level ground in front of the body.
 struct LevelGround {
-    /// Height of its surface [m].
+    /// Height of the surface of the ground [m].
     surface: f64,
     /// Height of the floor [m].
     floor: f64,

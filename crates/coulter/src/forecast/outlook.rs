@@ -16,7 +16,7 @@ pub struct Outlook {
     pub input: ModelInput,
     /// The results of the models.
     pub forecast: Forecast,
-    /// What water does to them; `None` on dry ground.
+    /// What water does to the body; `None` on dry ground.
     pub under_water: Option<UnderWater>,
 }
 

@@ -10,9 +10,9 @@ type Answer = fn(&Outlook, &ModelForecast) -> Option<f64>;
 /// `history::quantities`.
 #[derive(Debug)]
 pub struct Predicted {
-    /// Its name, such as `vertical`.
+    /// Name of the quantity, such as `vertical`.
     pub name: &'static str,
-    /// Its SI unit; `-` for a number without one.
+    /// SI unit of the quantity; `-` for a number without one.
     pub unit: &'static str,
     /// What a model of the outlook says, in its unit; `None` where it does not.
     pub of: Answer,
@@ -22,7 +22,7 @@ const fn predicted(name: &'static str, unit: &'static str, of: Answer) -> Predic
     Predicted { name, unit, of }
 }
 
-/// All of them.
+/// All quantities that models predict.
 pub const PREDICTED: [Predicted; 11] = [
     predicted("drag", "N", |_, m| Some(m.prediction?.drag)),
     predicted("vertical", "N", |_, m| Some(m.prediction?.vertical)),

@@ -6,7 +6,7 @@ use super::variable::{Variable, find, variables};
 use case::keys::Kind;
 use input::quantity;
 
-/// Why it cannot be read, and what to write instead.
+/// Why a range cannot be read, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct Unreadable(String);
@@ -14,9 +14,9 @@ pub struct Unreadable(String);
 /// A variable and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
-    /// Which variable.
+    /// The variable.
     pub variable: Variable,
-    /// Whether it was given as Z = z/d.
+    /// Whether the range was given as Z = z/d.
     pub relative: bool,
     /// The values, in SI units.
     pub values: Vec<f64>,

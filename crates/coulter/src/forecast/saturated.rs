@@ -14,14 +14,15 @@ use std::f64::consts::FRAC_PI_2;
 pub struct BladeUnderWater {
     /// Blade angle [rad].
     pub angle: f64,
-    /// Thickness of the layer that it cuts [m].
+    /// Thickness of the layer that the blade cuts [m].
     pub depth: f64,
-    /// Its cuts; or why there are none, in words.
+    /// The cuts of the blade; or why there are none, in words.
     pub cuts: Result<[SaturatedCut; 3], String>,
 }
 
 impl BladeUnderWater {
-    /// Of a body with a plane front that is towed at a depth and a speed [m/s]; `None` for any other body.
+    /// The blade for a body with a plane front that is towed at a depth and a speed [m/s]; `None` for any
+    /// other body.
     pub(super) fn of(input: &ModelInput, pores: &PoreWater, speed: f64, factors: [f64; 3]) -> Option<Self> {
         let towing = &input.towing;
         let (front, width) = match &towing.body {
@@ -70,16 +71,16 @@ fn plane_front(body: &FacetedBody) -> Option<(Front, f64)> {
 /// The tow force of a plough with the least and with the most of its coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PloughUnderWater {
-    /// Its weight in water [N].
+    /// Weight of the plough in water [N].
     pub weight: f64,
-    /// Its depth [m].
+    /// Depth of the plough [m].
     pub depth: f64,
-    /// Least and most.
+    /// Tow force with the least and with the most of the coefficients.
     pub forces: [PloughForce; 2],
 }
 
 impl PloughUnderWater {
-    /// Of a case with these coefficients.
+    /// The plough of a case with these coefficients.
     ///
     /// # Errors
     /// In words, where the body is not towed at a given depth.

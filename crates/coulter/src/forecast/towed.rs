@@ -79,13 +79,13 @@ fn disc(body: &Towed) -> Option<Disc> {
 /// How a body moves, as far as the closed-form models know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Course {
-    /// It is towed along x.
+    /// The body is towed along x.
     Towed,
-    /// It is towed along −x, so that the models are given its mirror image.
+    /// The body is towed along −x, so that the models are given its mirror image.
     TowedBackwards,
-    /// It is pressed straight down.
+    /// The body is pressed straight down.
     Pressed,
-    /// It is pulled straight up.
+    /// The body is pulled straight up.
     Raised,
 }
 

@@ -111,9 +111,9 @@ pub struct Interval {
 pub struct Intervals {
     /// The inputs and their standard deviations.
     pub inputs: Vec<InputDeviation>,
-    /// Whether they are assumed, because none were stated.
+    /// Whether the standard deviations are assumed, because none were stated.
     pub assumed: bool,
-    /// One for each quantity of each model that applies.
+    /// One distribution for each quantity of each model that applies.
     pub list: Vec<Interval>,
 }
 

@@ -11,15 +11,15 @@ use input::quantity::{ANGLE, FORCE, LENGTH, STRESS, TORQUE, UNIT_WEIGHT};
 pub struct Variable {
     /// The parameter of the models.
     pub parameter: Parameter,
-    /// Its section in the case file; empty where it is not a key there.
+    /// Section of the variable in the case file; empty where it is not a key there.
     pub section: &'static str,
-    /// Its key there.
+    /// Key of the variable in that section.
     pub key: &'static str,
-    /// What its values may be.
+    /// What values the variable may take.
     pub kind: Kind,
-    /// Its name in charts.
+    /// Name of the variable in charts.
     pub label: &'static str,
-    /// Unit in which it is shown.
+    /// Unit in which the variable is shown.
     pub unit: &'static str,
     /// Size of that unit in SI units.
     pub size: f64,
@@ -170,13 +170,13 @@ pub fn find(key: &str, bodies: &[String]) -> Option<Variable> {
 }
 
 impl Variable {
-    /// The input with this number changed. A weight is that of one disc, without additional loads.
+    /// The input with the variable set to a value. A weight is that of one disc, without additional loads.
     #[must_use]
     pub fn set(&self, input: &ModelInput, value: f64) -> Towing {
         input.towing.with(self.parameter, self.model_value(input, value))
     }
 
-    /// Its key with the section, as in the case.
+    /// Key of the variable with its section, as in the case.
     #[must_use]
     pub fn dotted(&self, input: &ModelInput) -> String {
         match self.section {
@@ -186,7 +186,7 @@ impl Variable {
         }
     }
 
-    /// Whether a model of such a body uses it.
+    /// Whether a model of such a body uses the variable.
     #[must_use]
     pub fn belongs(&self, input: &ModelInput) -> bool {
         let is_clay = input.towing.soil.is_undrained();
@@ -216,7 +216,7 @@ impl Variable {
         }
     }
 
-    /// Whether varying it has an effect: a plate constant needs the others to be given.
+    /// Whether varying the number has an effect: a plate constant needs the others to be given.
     #[must_use]
     pub fn has_effect(&self, input: &ModelInput) -> bool {
         let of_plate = matches!(
@@ -239,7 +239,7 @@ impl Variable {
         }
     }
 
-    /// Its value in the case; `None` where the case does not define it.
+    /// Value of the variable in the case; `None` where the case does not define it.
     #[must_use]
     pub fn value(&self, input: &ModelInput) -> Option<f64> {
         use analytic::Load;

@@ -12,7 +12,7 @@ use input::text::wrapped;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// How far off the suction may be: a third of it, itself, and three times as much.
+/// Factors by which the suction may be off: a third of it, itself, and three times as much.
 const FACTORS: [f64; 3] = [1.0 / 3.0, 1.0, 3.0];
 
 /// A forecast under water.
@@ -20,7 +20,7 @@ const FACTORS: [f64; 3] = [1.0 / 3.0, 1.0, 3.0];
 pub struct UnderWater {
     /// Largest speed of the bodies [m/s].
     pub speed: f64,
-    /// Drainage number at this speed; `None` for soil without friction.
+    /// Drainage number at the largest speed of the bodies; `None` for soil without friction.
     pub drainage_number: Option<f64>,
     /// Drag of the water on all bodies at this speed [N].
     pub drag: f64,
@@ -35,7 +35,7 @@ pub struct UnderWater {
 }
 
 impl UnderWater {
-    /// Of a case whose models have this input; `None` on dry ground.
+    /// The forecast under water of a case whose models have this input; `None` on dry ground.
     ///
     /// # Errors
     /// In words, where the soil contracts faster than its water can leave, or no model has an answer with
@@ -91,7 +91,7 @@ impl UnderWater {
         }
     }
 
-    /// As text, for a forecast in which the models without suction are `drained`.
+    /// The forecast under water as text, for a forecast in which the models without suction are `drained`.
     pub(super) fn text(&self, drained: &Forecast, sinks: bool) -> String {
         let mut text = String::new();
         if let Some(number) = self.drainage_number {
@@ -139,7 +139,7 @@ impl UnderWater {
         text
     }
 
-    /// As JSON, for the models that apply without suction.
+    /// The forecast under water as JSON, for the models that apply without suction.
     pub(super) fn document(&self, drained: &Forecast) -> Value {
         let one = |suction: &Suction| {
             let models = drained.models.iter().filter(|model| model.applicable).filter_map(|model| {
@@ -215,7 +215,7 @@ fn plough_document(plough: &PloughUnderWater) -> Value {
     json!({ "weight_N": plough.weight, "depth_m": plough.depth, "low": low, "high": high })
 }
 
-/// The same model in another forecast, if it has an answer.
+/// The answer of the same model in another forecast, if it has one there.
 fn answer<'a>(forecast: &'a Forecast, model: &ModelForecast) -> Option<&'a ModelForecast> {
     forecast.models.iter().find(|other| other.model == model.model && other.prediction.is_some())
 }

@@ -30,7 +30,7 @@ const TRUSTED: i32 = 3;
 /// How accurate the figures of a run are to be.
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {
-    /// Half-widths of their intervals.
+    /// Half-widths of the intervals of the figures.
     pub wanted: Wanted,
     /// How long all runs may take together.
     pub budget: Budget,
@@ -85,7 +85,7 @@ enum Chosen {
 struct Explored {
     step: i32,
     variation: Variation,
-    /// Whether its run is not broken.
+    /// Whether the run on the mesh is not broken.
     is_usable: bool,
 }
 
@@ -147,7 +147,7 @@ impl Search<'_> {
         self.spent + rate * work(&mesh.case) <= self.accuracy.budget.seconds(rate * work(self.case))
     }
 
-    /// Runs a variation, unless it has come to its end before; how it was stopped, if it was.
+    /// Runs a variation, unless it has finished before; how it was stopped, if it was.
     fn run(&self, variation: &Variation, label: String) -> Result<Option<End>, RunError> {
         let resumes = matches!(self.options.start, Start::Resume | Start::AutoResume);
         if resumes && has_ended(variation, self.options)? {
@@ -195,7 +195,7 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// Runs a mesh, unless it has come to its end before; how it was stopped, if it was.
+    /// Runs a mesh, unless it has finished before; how it was stopped, if it was.
     fn examine(&mut self, step: i32, mesh: Variation) -> Result<Option<End>, RunError> {
         let label = format!("mesh {}, {}", self.meshes.len() + 1, mesh.what);
         if let Some(stopped) = self.run(&mesh, label)? {

@@ -17,9 +17,9 @@ use std::collections::VecDeque;
 /// How long the variations may take together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Budget {
-    /// So many times as long as the case's own run.
+    /// A multiple of the time of the case's own run.
     Times(f64),
-    /// So long, in seconds of wall clock.
+    /// Seconds of wall clock.
     Seconds(f64),
 }
 
@@ -45,7 +45,7 @@ impl Budget {
 pub struct Request<'a> {
     /// The variations.
     pub plan: &'a VariationPlan,
-    /// How long they may take; `None` for as long as they do.
+    /// How long the variations may take; `None` for as long as they do.
     pub budget: Option<Budget>,
 }
 
@@ -58,8 +58,8 @@ const SINGLE: f64 = 0.67;
 /// The case's own results lie in the folder as those of [`super::run`], and those of the variations below it
 /// in `variations`. A variation is run if the time that is predicted for it, from that of the case's own run,
 /// fits into what is left of the budget; otherwise it is reported as not examined. With [`Start::Resume`] and
-/// [`Start::AutoResume`] runs that have come to their end are left unchanged, the one that was stopped is
-/// resumed, and a larger budget examines what was left out.
+/// [`Start::AutoResume`] runs that have finished are left unchanged, the one that was stopped is resumed, and
+/// a larger budget examines what was left out.
 ///
 /// # Errors
 /// As [`super::run`]; [`RunError::Physics`] only where the case itself breaks down.
@@ -94,7 +94,7 @@ pub fn run_confidence(case: &Case, request: Request, options: &RunOptions) -> Re
     Ok(End::Finished(Box::new(summary)))
 }
 
-/// The run of the case itself, unless it has come to its end before.
+/// The run of the case itself, unless it has finished before.
 fn own_run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     if matches!(options.start, Start::Resume | Start::AutoResume) {
         match ended_before(case, options.folder) {
@@ -229,7 +229,7 @@ pub(super) fn work(case: &Case) -> f64 {
     estimate.steps * estimate.filled_cells * speed
 }
 
-/// Whether the run of a variation has come to its end before; one of another version of it is run anew.
+/// Whether the run of a variation has finished before; one of another version of it is run anew.
 pub(super) fn has_ended(variation: &Variation, options: &RunOptions) -> Result<bool, RunError> {
     match ended_before(&variation.case, &variation_folder(options.folder, &variation.name)?) {
         Ok(summary) => Ok(summary.is_some()),

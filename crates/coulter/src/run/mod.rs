@@ -40,7 +40,7 @@ pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     run_followed(case, options, &mut NoFollower)
 }
 
-/// As [`run()`], with someone who is told of every sample and may end the run there.
+/// Runs a case as [`run()`] does, with a follower that receives every sample and may end the run there.
 ///
 /// # Errors
 /// As [`run()`].
@@ -134,7 +134,7 @@ fn give_up(halo: &Halo, error: &RunError) {
     }
 }
 
-/// The loop of the run, in the order in which its observers are told of a sample. The state is written before
+/// The loop of the run, in the order in which its observers get a sample. The state is written before
 /// anything else that the end of the run leaves: all that can be rebuilt from it.
 fn observed<R: Precision>(
     simulation: &mut Simulation<R>,

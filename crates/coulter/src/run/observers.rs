@@ -1,4 +1,4 @@
-//! Those who observe a run on behalf of its results folder. Each knows one thing; what they share is in the
+//! Observers of a run on behalf of its results folder. Each knows one thing; what they share is in the
 //! folder.
 
 use super::options::Follower;
@@ -98,7 +98,7 @@ pub(super) struct Checkpoints<'a> {
     interrupts: &'a Interrupts,
     /// Log and record, in the process that keeps them.
     books: Option<(&'a mut Log, &'a mut RunRecord)>,
-    /// When the last one was written.
+    /// When the last checkpoint was written.
     last: Instant,
 }
 
@@ -139,7 +139,7 @@ impl<R: Precision> Observer<R> for Checkpoints<'_> {
     }
 }
 
-/// Statistics of a run that has come so far.
+/// Statistics of a run up to this point.
 pub(super) fn statistics(simulation: &Simulation<impl Precision>, outcome: Outcome) -> RunStatistics {
     RunStatistics {
         steps: simulation.state.step,

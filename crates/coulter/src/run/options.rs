@@ -16,12 +16,12 @@ use std::path::{Path, PathBuf};
 pub enum Start {
     /// Refuse to start.
     Anew,
-    /// Replace it.
+    /// Replace the run.
     Replace,
-    /// Continue it from its last checkpoint; start if there is none.
+    /// Continue the run from its last checkpoint; start if there is none.
     Resume,
-    /// The same, for schedulers: a finished run is left unchanged, unreadable checkpoints lead to a new
-    /// start, and a lock is waited for up to a minute.
+    /// Continue the run as schedulers need it: a finished run is left unchanged, unreadable checkpoints lead
+    /// to a new start, and a lock is waited for up to a minute.
     AutoResume,
 }
 
@@ -50,7 +50,7 @@ pub fn alone() -> Box<dyn Communicator> {
     Box::new(Alone::default())
 }
 
-/// Who follows a run by its samples, whatever its precision: the caller of
+/// A follower of the samples of a run, whatever its precision: the caller of
 /// [`run_followed`](super::run_followed).
 pub trait Follower {
     /// The history has a new sample, the last one of each of its lists, and the tables and fields of the
@@ -71,9 +71,9 @@ impl Follower for NoFollower {
 /// How a run ended.
 #[derive(Debug)]
 pub enum End {
-    /// It reached its end, now or before.
+    /// The run reached its end, now or before.
     Finished(Box<Summary>),
-    /// It was stopped by this signal, or by a follower (0); the checkpoint from which it can be resumed.
+    /// The run was stopped by this signal, or by a follower (0); the checkpoint from which it can be resumed.
     Stopped(i32, PathBuf),
 }
 
@@ -106,7 +106,7 @@ pub enum RunError {
     Unusable {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// What is wrong with the file.
         problem: String,
     },
     /// The physics failed in an earlier run, and would fail again.
@@ -114,7 +114,7 @@ pub enum RunError {
     BrokeDownBefore {
         /// The cause.
         cause: String,
-        /// Its folder.
+        /// Folder of the earlier run.
         folder: PathBuf,
     },
     /// The physics failed.

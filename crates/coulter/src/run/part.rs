@@ -3,9 +3,9 @@
 /// A run among variations.
 #[derive(Debug, Default)]
 pub(super) struct Part {
-    /// What its progress is labelled with, such as `variation 1 of 3, cells 15mm`; empty for an ordinary run.
+    /// Label of the progress of the run, such as `variation 1 of 3, cells 15mm`; empty for an ordinary run.
     pub(super) label: String,
-    /// Whether it is a variation, and not the case itself.
+    /// Whether the run is a variation, and not the case itself.
     pub(super) is_beside: bool,
 }
 

@@ -9,7 +9,7 @@ pub(super) struct Processes {
 }
 
 impl Processes {
-    /// Those of a run.
+    /// The processes of a run.
     pub(super) fn of(options: &RunOptions) -> Self {
         Self { communicator: (options.communicator)() }
     }
@@ -37,17 +37,17 @@ impl Processes {
         self.agree(own)
     }
 
-    /// Whether anyone says yes.
+    /// Whether any process says yes.
     pub(super) fn is_anyone(&mut self, own: bool) -> bool {
         let mut said = [f64::from(u8::from(own))];
         self.communicator.largest(&mut said);
         said[0] > 0.0
     }
 
-    /// What each process has found, if none has failed.
+    /// The result of this process, if none has failed.
     ///
     /// # Errors
-    /// Its own; where another one has failed, [`RunError::Elsewhere`].
+    /// The error of this process; where another one has failed, [`RunError::Elsewhere`].
     pub(super) fn agree<T>(&mut self, own: Result<T, RunError>) -> Result<T, RunError> {
         if self.is_anyone(own.is_err()) { own.and(Err(RunError::Elsewhere)) } else { own }
     }

@@ -72,7 +72,7 @@ fn lines([a, b, c]: &[DVec3; 3]) -> [[DVec3; 2]; 6] {
     [[*a, *b], [*b, *c], [*c, *a], [*a, within(b, c)], [*b, within(c, a)], [*c, within(a, b)]]
 }
 
-/// Directions in which nobody draws.
+/// Directions along which no drawing has an edge.
 const OBLIQUE: [DVec3; 3] = [
     DVec3::new(0.537_291, 0.713_877, 0.449_023),
     DVec3::new(-0.611_953, 0.497_339, 0.614_807),

@@ -21,7 +21,7 @@ pub enum Defect {
     Open {
         /// Number of edges with one triangle.
         edges: usize,
-        /// The middle of one of them [m].
+        /// The middle of one of these edges [m].
         place: DVec3,
     },
     /// The surface is not closed where two sides of it nearly meet.
@@ -30,50 +30,50 @@ pub enum Defect {
         edges: usize,
         /// Distance between the sides where it is widest [m].
         width: f64,
-        /// A point there [m].
+        /// A point where the distance is widest [m].
         place: DVec3,
     },
     /// A part without thickness hangs on the surface.
     Sheet {
-        /// Number of its triangles.
+        /// Number of triangles of the part.
         triangles: usize,
-        /// The middle of one of them [m].
+        /// The middle of one of these triangles [m].
         place: DVec3,
     },
     /// More than two triangles share an edge.
     NotManifold {
         /// Number of such edges.
         edges: usize,
-        /// Number of triangles at one of them.
+        /// Number of triangles at one of these edges.
         triangles: usize,
         /// Middle of the defect [m].
         place: DVec3,
     },
-    /// It has only one side, like a Möbius strip or a Klein bottle.
+    /// The surface has only one side, like a Möbius strip or a Klein bottle.
     OneSided {
         /// Where the sides meet [m].
         place: DVec3,
     },
-    /// Two parts of it overlap.
+    /// Two parts of the surface overlap.
     Overlap {
-        /// Where the surface of one goes through that of the other [m].
+        /// Where the surface of one part goes through that of the other [m].
         place: DVec3,
     },
-    /// It goes through itself.
+    /// The surface goes through itself.
     Crossing {
-        /// Where [m].
+        /// Where the surface goes through itself [m].
         place: DVec3,
     },
     /// A part lies inside another one, without being a cavity of it.
     Nested {
-        /// A point of it [m].
+        /// A point of the part inside [m].
         place: DVec3,
     },
-    /// It has too many separate parts.
+    /// The surface has too many separate parts.
     Scattered {
-        /// How many.
+        /// Number of separate parts.
         shells: usize,
     },
-    /// It encloses nothing.
+    /// The surface encloses no volume.
     NoVolume,
 }

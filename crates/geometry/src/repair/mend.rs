@@ -18,9 +18,9 @@ use std::collections::{HashMap, HashSet};
 pub struct Mend {
     /// What was repaired.
     pub kind: MendKind,
-    /// Of how many triangles.
+    /// Number of triangles that were repaired.
     pub triangles: usize,
-    /// The middle of one of them [m].
+    /// The middle of one of these triangles [m].
     pub place: DVec3,
 }
 
@@ -130,8 +130,8 @@ fn without(mesh: &Mesh, removed: &[bool], kind: MendKind) -> Option<(Mesh, Mend)
     Some((rest, Mend { kind, triangles: count, place: middle(mesh, first) }))
 }
 
-/// Without the triangles that have the same corners as another one: `removed` = 1 leaves one of several, 2
-/// none of two.
+/// The mesh without the triangles that have the same corners as another one: `removed` = 1 leaves one of
+/// several, 2 none of two.
 fn doubled(mesh: &Mesh, removed: usize) -> Option<(Mesh, Mend)> {
     let mut same: HashMap<[u32; 3], Vec<usize>> = HashMap::new();
     for (number, corners) in mesh.triangles.iter().enumerate() {
@@ -154,7 +154,8 @@ fn doubled(mesh: &Mesh, removed: usize) -> Option<(Mesh, Mend)> {
     without(mesh, &is_removed, kind)
 }
 
-/// Without the parts that have an open edge and hang on the rest by edges of three triangles or more.
+/// The mesh without the parts that have an open edge and hang on the rest by edges of three triangles or
+/// more.
 fn flaps(mesh: &Mesh) -> Option<(Mesh, Mend)> {
     let sides = sides(&mesh.triangles);
     let mut part: Vec<usize> = (0..mesh.triangles.len()).collect();
@@ -195,15 +196,15 @@ fn ends(mesh: &Mesh, open: &[Side]) -> Vec<(f64, u32)> {
     ends
 }
 
-/// Those of the points whose x lies in a range.
+/// The points whose x lies in a range.
 fn within(ends: &[(f64, u32)], low: f64, high: f64) -> &[(f64, u32)] {
     let first = ends.partition_point(|(x, _)| *x < low);
     let count = ends[first..].partition_point(|(x, _)| *x <= high);
     &ends[first..first + count]
 }
 
-/// With triangles divided where corners of others lie in the middle of an open edge of theirs, no farther
-/// than a tolerance from it [m].
+/// The mesh with triangles divided where corners of others lie in the middle of an open edge of theirs, no
+/// farther than a tolerance from it [m].
 fn divided(mesh: &Mesh, tolerance: f64) -> Option<(Mesh, Mend)> {
     let open = open_sides(mesh);
     let ends = ends(mesh, &open);
@@ -245,8 +246,8 @@ fn divided(mesh: &Mesh, tolerance: f64) -> Option<(Mesh, Mend)> {
     Some((result, Mend { kind: MendKind::Divided, triangles: count, place: first? }))
 }
 
-/// With the points of open edges merged that are no more than a width apart [m], if that closes the surface
-/// and nothing vanishes.
+/// The mesh with the points of open edges merged that are no more than a width apart [m], if that closes the
+/// surface and nothing vanishes.
 fn sewn(mesh: &Mesh, width: f64) -> Option<(Mesh, Mend)> {
     let open = open_sides(mesh);
     let ends = ends(mesh, &open);

@@ -11,7 +11,7 @@ use glam::DVec3;
 /// Most separate parts: which of them lies in which takes as much time as the square of their number.
 const MOST_SHELLS: usize = 2000;
 
-/// What was found, and done, to orient a surface everywhere.
+/// The surface once it is oriented everywhere, and what was found and done for that.
 pub(super) struct Oriented {
     pub(super) shells: usize,
     pub(super) cavities: usize,
@@ -22,8 +22,8 @@ pub(super) struct Oriented {
 /// A closed surface that hangs together.
 #[derive(Clone, Copy, Default)]
 struct Shell {
-    /// Six times the volume that it encloses [m³], with the sign of its orientation as its first triangle has
-    /// it.
+    /// Six times the volume that the shell encloses [m³], with the sign of its orientation as its first
+    /// triangle has it.
     volume: f64,
     triangles: usize,
     /// Triangles oriented against the first.
@@ -179,5 +179,5 @@ fn depths(surface: &Mesh, shell_of: &[u32], shells: usize, size: f64) -> Vec<usi
     members.iter().enumerate().map(depth).collect()
 }
 
-/// A direction in which nobody draws.
+/// A direction along which no drawing has an edge.
 const OBLIQUE: DVec3 = DVec3::new(0.537_291, 0.713_877, 0.449_023);

@@ -8,7 +8,7 @@ use crate::quantity::plain;
 pub(super) const FILL_IN: &str = "give every point a height: fill in what was not measured, or cut it off";
 /// Marks of no height in use: those of GDAL and ESRI programs, and the least whole numbers of 16 bits.
 const MARKS: [f64; 5] = [-9999.0, -99999.0, -32767.0, -32768.0, -999_999.0];
-/// Beyond this no unit makes a height of it: marks such as −3.4e38 and 1e30 (chosen).
+/// Size beyond which no unit makes a height of a number: marks such as −3.4e38 and 1e30 (chosen).
 const HUGE: f64 = 1e20;
 /// Units in which a mark may have been written [m].
 const UNITS: [f64; 5] = [1.0, 1e-2, 1e-3, 0.0254, 0.3048];

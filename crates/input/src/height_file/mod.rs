@@ -28,7 +28,7 @@ const MAX_BYTES: u64 = 128 << 20;
 pub struct HeightFile {
     /// The file, as typed.
     pub file: String,
-    /// Hash of its heights and their places.
+    /// Hash of the heights and their places.
     pub hash: String,
     #[serde(skip)]
     content: Arc<FileContent>,
@@ -104,7 +104,7 @@ impl HeightFile {
         &self.content.hash
     }
 
-    /// What is to be said of it, such as what it leaves open.
+    /// Remarks on the file, such as what it leaves open.
     #[must_use]
     pub fn remarks(&self) -> &[String] {
         &self.content.remarks

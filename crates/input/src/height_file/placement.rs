@@ -4,7 +4,7 @@ use crate::data_file::{FileProblem, problem};
 
 /// Largest number of heights: 32 MB in memory.
 pub(super) const MOST_HEIGHTS: usize = 4_000_000;
-/// What to do about more.
+/// What to do about a file with too many heights.
 pub(super) const TOO_MANY: &str =
     "cut out the part that the domain covers, or make its points fewer: a fifth of a cell apart is enough";
 
@@ -17,7 +17,7 @@ pub struct Placement {
     pub ends: [Option<[f64; 2]>; 2],
     /// Heights of black and white.
     pub heights: Option<[f64; 2]>,
-    /// What is x = y = 0 of the case in the coordinates of the file.
+    /// Place of x = y = 0 of the case in the coordinates of the file.
     pub origin: Option<[f64; 2]>,
     /// Height in the file of the level surface.
     pub datum: f64,
@@ -79,7 +79,7 @@ impl Placement {
     }
 }
 
-/// As many positions as lines, evenly from the first to the last [m].
+/// Positions of `count` lines, evenly spaced from the first to the last [m].
 fn evenly(first: f64, last: f64, count: usize) -> Vec<f64> {
     let steps = count.saturating_sub(1).max(1) as f64;
     (0..count).map(|n| first + (last - first) * n as f64 / steps).collect()

@@ -138,7 +138,7 @@ fn surrounded(raster: &Raster) -> Option<Raster> {
     Some(Raster { lines, heights: (y[0]..=y[1]).flat_map(row).copied().collect() })
 }
 
-/// What was done, and where points are missing.
+/// Reports what was done, and where points are missing.
 fn report(points: &[[f64; 3]], spacing: f64, raster: &Raster) -> String {
     let ends = |axis: usize| {
         let line = &raster.lines[axis];

@@ -11,7 +11,7 @@ use crate::table_file::{TableFile, TableText, plain_name};
 const HEADER: &str = "name three columns with their units in its first line: x [m],y [m],z [mm]; or give a grid of heights alone, its first \
                       row that of the largest y";
 
-/// What was read, and what is to be said of how.
+/// The heights that were read, and remarks on how they were read.
 pub(super) type Remarked = (Raster, Vec<String>);
 
 /// Reads a table; of points, `.xyz`, also without a header.

@@ -4,7 +4,7 @@
 /// An end of a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
-    /// No end.
+    /// No end of the range.
     None,
     /// The number itself is allowed.
     Inclusive(f64),
@@ -32,7 +32,7 @@ pub const fn from(low: Bound, high: Bound) -> AllowedRange {
 }
 
 impl AllowedRange {
-    /// Whether it contains a number; not-a-number is in no range.
+    /// Whether the range contains a number; not-a-number is in no range.
     #[must_use]
     pub fn contains(&self, number: f64) -> bool {
         let low = match self.low {
@@ -48,7 +48,7 @@ impl AllowedRange {
         low && high
     }
 
-    /// In words; `shown` writes a number with its unit.
+    /// The range in words; `shown` writes a number with its unit.
     #[must_use]
     pub fn text(&self, shown: impl Fn(f64) -> String) -> String {
         // Zero alone needs no unit.

@@ -68,7 +68,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Whether it is how a degree of freedom moves.
+    /// Whether the value is how a degree of freedom moves.
     #[must_use]
     pub fn is_motion(&self) -> bool {
         matches!(self, Self::Motion { .. })
@@ -80,26 +80,26 @@ impl Kind {
 pub struct Key {
     /// Name of the key in its section.
     pub name: &'static str,
-    /// What its value may be.
+    /// What the value of the key may be.
     pub kind: Kind,
-    /// What applies if it is left out.
+    /// What applies if the key is left out.
     pub default: DefaultValue,
-    /// Which numbers it allows; `None` for any, and where it has none.
+    /// Which numbers the key allows; `None` for any, and where its values are no numbers.
     pub range: Option<AllowedRange>,
-    /// Which numbers are usual for it; `None` where any is.
+    /// Which numbers are usual for the key; `None` where any is.
     pub usual: Option<UsualRange>,
-    /// What it means.
+    /// What the key means.
     pub meaning: &'static str,
 }
 
 impl Key {
-    /// This key with the range of what it allows.
+    /// The key with the range of the numbers that it allows.
     #[must_use]
     pub const fn within(self, range: AllowedRange) -> Self {
         Self { range: Some(range), ..self }
     }
 
-    /// This key with the range of what is usual.
+    /// The key with the range of the numbers that are usual.
     #[must_use]
     pub const fn usually(self, usual: UsualRange) -> Self {
         Self { usual: Some(usual), ..self }
@@ -117,7 +117,7 @@ impl Key {
         }
     }
 
-    /// The ends of its usual range, in SI units.
+    /// The ends of the usual range of the key, in SI units.
     #[must_use]
     pub fn usual_ends(&self) -> Option<[f64; 2]> {
         let usual = self.usual?;

@@ -24,16 +24,16 @@ pub enum DefaultValue {
     DurationOver(f64),
     /// A number that depends on the yield law.
     ByLaw {
-        /// For most laws.
+        /// The number for most laws.
         usual: f64,
         /// The other laws.
         laws: &'static [&'static str],
-        /// For these.
+        /// The number for the other laws.
         instead: f64,
     },
     /// Derived where possible, otherwise a quantity as one would write it.
     Otherwise {
-        /// How it is derived.
+        /// How the default is derived.
         derived: &'static str,
         /// The quantity.
         quantity: &'static str,
@@ -49,7 +49,7 @@ impl DefaultValue {
         matches!(self, Self::Required | Self::RequiredFor(_))
     }
 
-    /// In words, for the documentation.
+    /// The default in words, for the documentation.
     #[must_use]
     pub fn text(&self) -> String {
         match self {

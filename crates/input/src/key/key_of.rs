@@ -13,7 +13,7 @@ use crate::typed::Section;
 pub struct KeyOf<T: 'static> {
     /// The key.
     pub key: Key,
-    /// Where its value lies.
+    /// Where the value of the key lies.
     pub place: Place<T>,
 }
 
@@ -35,7 +35,7 @@ pub enum Place<T: 'static> {
     Flag(fn(&mut T) -> &mut bool),
     /// One of the words of the key, and what it changes.
     Word(fn(&mut T, &str)),
-    /// None: whoever reads the section knows what the key changes.
+    /// No place: whoever reads the section knows what the key changes.
     Elsewhere,
 }
 
@@ -49,7 +49,7 @@ impl<T: 'static> KeyOf<T> {
         Self { key, ..self }
     }
 
-    /// With what applies where it is left out.
+    /// The key with what applies where it is left out.
     pub const fn default(self, default: DefaultValue) -> Self {
         let key = Key { default, ..self.key };
         self.with(key)
@@ -65,19 +65,19 @@ impl<T: 'static> KeyOf<T> {
         self.default(DefaultValue::RequiredFor(law))
     }
 
-    /// With the numbers that it allows.
+    /// The key with the range of the numbers that it allows.
     pub const fn within(self, range: AllowedRange) -> Self {
         let key = self.key.within(range);
         self.with(key)
     }
 
-    /// With the numbers that are usual.
+    /// The key with the range of the numbers that are usual.
     pub const fn usually(self, usual: UsualRange) -> Self {
         let key = self.key.usually(usual);
         self.with(key)
     }
 
-    /// With what it means.
+    /// The key with its meaning.
     pub const fn means(self, meaning: &'static str) -> Self {
         let key = Key { meaning, ..self.key };
         self.with(key)

@@ -5,7 +5,7 @@ use super::problem::{MeshFileProblem, refuse};
 /// Most triangles of a body.
 pub const MOST_TRIANGLES: usize = 2_000_000;
 
-/// What to do about more.
+/// What to do about too many triangles.
 pub(super) const TOO_MANY: &str =
     "export the body with fewer triangles: sides of a fifth of a cell of the grid are fine enough";
 

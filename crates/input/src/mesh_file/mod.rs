@@ -40,7 +40,7 @@ pub struct MeshFile {
     pub solid: Polyhedron,
     /// Unit of the coordinates in the file [m].
     pub unit: f64,
-    /// What it is like, and what was repaired.
+    /// Properties of the surface, and what was repaired.
     pub report: MeshReport,
     /// Hash of the content of the file.
     pub hash: String,

@@ -55,7 +55,7 @@ impl Number {
 #[derive(Clone, Debug)]
 struct PropertyOf {
     name: String,
-    /// Of a list, the type of its length.
+    /// Type of the length of a list; `None` for a single number.
     length: Option<Number>,
     number: Number,
 }
@@ -170,7 +170,7 @@ fn property(typed: &[&str], name: &str) -> Option<PropertyOf> {
 enum Source<R> {
     Text {
         lines: Lines<R>,
-        /// Those of the present line that are left, in reverse.
+        /// Numbers left in the present line, in reverse.
         words: Vec<f64>,
     },
     Binary {
@@ -200,7 +200,7 @@ impl<R: BufRead> Source<R> {
         Ok(())
     }
 
-    /// The next number; `None` where there is none.
+    /// The next number; `None` at the end of the file, and where something else stands.
     fn next(&mut self, number: Number) -> Option<f64> {
         match self {
             Self::Text { words, .. } => words.pop(),

@@ -4,14 +4,15 @@ use glam::{DVec2, DVec3};
 
 /// Most corners of a face.
 pub(super) const MOST_CORNERS: usize = 1000;
-/// Distance from its mean plane over its size beyond which a face is not plane (chosen: what six digits leave
-/// open, and a little).
+/// Distance of a face from its mean plane over its size beyond which it is not plane (chosen: what six digits
+/// leave open, and a little).
 const NOT_PLANE: f64 = 1e-4;
 
 /// A face as triangles.
 pub(super) struct Divided {
     pub(super) triangles: Vec<[u32; 3]>,
-    /// How far its corners lie from its mean plane [unit of the file], where that is more than rounding.
+    /// How far the corners of the face lie from its mean plane [unit of the file], where that is more than
+    /// rounding.
     pub(super) off_plane: Option<f64>,
 }
 

@@ -5,9 +5,9 @@ use std::fmt;
 /// Why a file cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MeshFileProblem {
-    /// What is wrong, and where.
+    /// What is wrong with the file, and where.
     pub message: String,
-    /// What to do.
+    /// What to do about the file.
     pub cure: String,
 }
 

@@ -13,22 +13,22 @@ pub struct MeshReport {
     pub triangles: usize,
     /// Number of points.
     pub points: usize,
-    /// Edges of its bounding box [m].
+    /// Edges of the bounding box [m].
     pub size: DVec3,
     /// Volume [m³].
     pub volume: f64,
     /// Centroid in the body frame [m].
     pub centroid: DVec3,
-    /// Closed surfaces of which it consists.
+    /// Closed surfaces of which the surface consists.
     pub shells: usize,
-    /// Those that bound cavities.
+    /// Closed surfaces that bound cavities.
     pub cavities: usize,
     /// What was repaired, a sentence each.
     pub repairs: Vec<String>,
 }
 
 impl MeshReport {
-    /// Of what was found in a surface that was read in this unit [m].
+    /// The report on what was found in a surface that was read in this unit [m].
     pub(super) fn of(found: &Repaired, surface: &Surface, unit: (&str, f64)) -> Self {
         let mut repairs = repairs(found);
         repairs.extend(found.mends.iter().map(|mend| mended(mend, surface, unit)));

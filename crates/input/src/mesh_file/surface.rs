@@ -12,7 +12,7 @@ pub(super) struct Surface {
     pub(super) mesh: Mesh,
     /// Line or number of each triangle in the file.
     origin: Vec<u32>,
-    /// What those numbers count: `line`, `facet` or `face`.
+    /// What the numbers of the triangles count: `line`, `facet` or `face`.
     pub(super) counted: &'static str,
     /// The unit that the file states.
     pub(super) unit: Option<Stated>,

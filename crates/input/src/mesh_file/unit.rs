@@ -7,7 +7,7 @@ use super::problem::{MeshFileProblem, refuse};
 pub(super) struct Stated {
     /// The words, as they stand in the file.
     words: String,
-    /// Where.
+    /// Where the words stand.
     place: String,
     /// The unit: its name in a case file and its length [m]; `None` where the word is not known.
     unit: Option<(&'static str, f64)>,

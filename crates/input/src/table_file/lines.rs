@@ -10,9 +10,9 @@ const QUOTED_LINES: usize = 10;
 pub struct Field<'a> {
     /// Text of the line.
     pub text: &'a str,
-    /// Where it stands [bytes].
+    /// Where the field stands in the text [bytes].
     pub at: Range<usize>,
-    /// Whether it stood in quotes.
+    /// Whether the field stood in quotes.
     pub is_quoted: bool,
 }
 
@@ -21,7 +21,7 @@ pub struct Field<'a> {
 pub struct Line<'a> {
     /// Fields of the line.
     pub fields: Vec<Field<'a>>,
-    /// Where it stands [bytes].
+    /// Where the line stands in the text [bytes].
     pub at: Range<usize>,
 }
 
@@ -74,7 +74,7 @@ fn whole_line(text: &str) -> &str {
     &text[..first]
 }
 
-/// Without line ends and spaces around it; a tab may stand for an empty field.
+/// A field without line ends and spaces around it; a tab may stand for an empty field.
 fn spaces_trimmed(text: &str, start: usize) -> Field<'_> {
     trimmed(text, start, |c| matches!(c, ' ' | '\n'))
 }

@@ -55,9 +55,9 @@ pub struct TableNumbers {
     pub columns: Vec<Vec<f64>>,
     /// Where each line begins [bytes].
     pub lines: Vec<usize>,
-    /// What is wrong with them.
+    /// What is wrong with the numbers.
     pub problems: Vec<Placed>,
-    /// What is to be said of how they were read.
+    /// A remark on how the numbers were read.
     pub remark: Option<String>,
 }
 
@@ -104,13 +104,13 @@ impl TableFile {
         &self.text.text
     }
 
-    /// What is to be said of how the text was read.
+    /// A remark on how the text was read.
     #[must_use]
     pub fn remark(&self) -> Option<&str> {
         self.text.remark.as_deref()
     }
 
-    /// The columns that its header names; none where it begins with numbers.
+    /// The columns that the header of the table names; none where the table begins with numbers.
     #[must_use]
     pub fn columns(&self) -> &[TableColumn] {
         &self.columns
@@ -122,7 +122,7 @@ impl TableFile {
         self.header.clone()
     }
 
-    /// The titles of its columns, for messages.
+    /// The titles of the columns, for messages.
     #[must_use]
     pub fn titles(&self) -> String {
         self.columns.iter().map(|column| format!("\"{}\"", column.title)).collect::<Vec<_>>().join(", ")

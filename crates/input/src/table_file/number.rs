@@ -22,7 +22,7 @@ impl Numbers {
         Self { separator, decimals: None, absent }
     }
 
-    /// What is to be said of the numbers that were read.
+    /// A remark on the numbers that were read.
     pub(super) fn remark(&self) -> Option<String> {
         let (example, has_comma) = self.decimals.as_ref()?;
         let value: f64 = example.replace(',', ".").replace('−', "-").parse().ok()?;
@@ -82,7 +82,7 @@ fn is_thousands(text: &str) -> bool {
     (1..=3).contains(&before.len()) && !before.starts_with('0') && behind.len() == 3
 }
 
-/// Without the blanks and apostrophes between groups of three digits.
+/// The text without the blanks and apostrophes between groups of three digits.
 fn ungrouped(text: &str) -> String {
     const MARKS: [char; 6] = ['\u{a0}', '\u{202f}', '\u{2009}', ' ', '\'', '’'];
     if !text.contains(MARKS) {

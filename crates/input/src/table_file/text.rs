@@ -7,7 +7,7 @@ use crate::data_file::{FileProblem, problem};
 pub struct TableText {
     /// The text.
     pub text: String,
-    /// What was done to read it, where that was not plain.
+    /// How the text was read, where that was not plain.
     pub remark: Option<String>,
 }
 

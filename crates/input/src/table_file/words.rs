@@ -15,7 +15,7 @@ pub(crate) struct Words<'a> {
 }
 
 impl<'a> Words<'a> {
-    /// Those of a text; `absent` says what is to be done about a number that is none.
+    /// The words of a text; `absent` says what is to be done about a word that is no number.
     pub(crate) fn new(text: &'a str, absent: &'static str) -> Self {
         Self { text, at: 0, numbers: Numbers::new(Separator::Blanks, absent) }
     }
@@ -33,7 +33,7 @@ impl<'a> Words<'a> {
         number::is_number(word, Separator::Blanks)
     }
 
-    /// What is to be said of how the numbers were read.
+    /// A remark on how the numbers were read.
     pub(crate) fn remark(&self) -> Option<String> {
         self.numbers.remark()
     }

@@ -16,7 +16,8 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// At a point of space [m], for bodies at the given poses; the pose of the ground is the identity.
+    /// A ball joint at a point of space [m], for bodies at the given poses; the pose of the ground is the
+    /// identity.
     #[must_use]
     pub fn at(point: DVec3, bodies: [Option<usize>; 2], poses: [&Pose; 2]) -> Self {
         Self { bodies, points: poses.map(|pose| pose.point_in_body(point)) }

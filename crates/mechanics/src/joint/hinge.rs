@@ -27,8 +27,8 @@ const CREEP: f64 = 1e-3;
 const DRIVE_YIELDS: f64 = 1e-9;
 
 impl Hinge {
-    /// With an axis of space through the point of a ball joint, for bodies at the given poses. A zero axis is
-    /// taken for y.
+    /// A hinge with an axis of space through the point of a ball joint, for bodies at the given poses. A zero
+    /// axis is taken for y.
     #[must_use]
     pub fn new(ball: Ball, axis: DVec3, poses: [&Pose; 2]) -> Self {
         let axis = axis.try_normalize().unwrap_or(DVec3::Y);
@@ -43,22 +43,22 @@ impl Hinge {
         }
     }
 
-    /// This hinge with friction in its bearing: a torque [N m] against the relative rotation, whatever the
+    /// The hinge with friction in its bearing: a torque [N m] against the relative rotation, whatever the
     /// load and the rate.
     #[must_use]
     pub fn with_friction(self, torque: f64) -> Self {
         Self { friction: torque, ..self }
     }
 
-    /// This hinge with a drive, or a brake: a constant torque [N m] of the first body on the second about the
+    /// The hinge with a drive, or a brake: a constant torque [N m] of the first body on the second about the
     /// axis.
     #[must_use]
     pub fn with_drive(self, torque: f64) -> Self {
         Self { drive: torque, ..self }
     }
 
-    /// At a point of space [m] along an axis, for bodies at the given poses; the pose of the ground is the
-    /// identity.
+    /// A hinge at a point of space [m] along an axis, for bodies at the given poses; the pose of the ground
+    /// is the identity.
     #[must_use]
     pub fn at(point: DVec3, axis: DVec3, bodies: [Option<usize>; 2], poses: [&Pose; 2]) -> Self {
         Self::new(Ball::at(point, bodies, poses), axis, poses)
@@ -70,9 +70,9 @@ impl Joint for Hinge {
         self.ball.bodies
     }
 
-    /// Those of the ball joint, and a · b = 0 for both directions b across. Friction is a damper whose torque
-    /// at the rate of the step is that of the bearing; a drive shares its row, since two bodies have six
-    /// relative motions.
+    /// The rows of the ball joint, and a · b = 0 for both directions b across. Friction is a damper whose
+    /// torque at the rate of the step is that of the bearing; a drive shares its row, since two bodies have
+    /// six relative motions.
     fn rows(&self, bodies: [&Configuration; 2], dt: f64) -> Rows {
         let mut rows = self.ball.rows(bodies, dt);
         couples(self.across.map(|across| [self.axis, across]), bodies, dt, &mut rows);

@@ -26,13 +26,13 @@ pub const CLOSURE: f64 = 0.1;
 
 /// A joint.
 pub trait Joint: Debug + Send + Sync {
-    /// The bodies it connects, by number; `None` for the ground.
+    /// Numbers of the bodies that the joint connects; `None` for the ground.
     fn bodies(&self) -> [Option<usize>; 2];
 
     /// Conditions of the joint on the velocities of a step of `dt` [s], from the attitudes of both bodies.
     fn rows(&self, bodies: [&Configuration; 2], dt: f64) -> Rows;
 
-    /// Energy that it stores [J], from the attitudes of both bodies at the start of a step.
+    /// Energy that the joint stores [J], from the attitudes of both bodies at the start of a step.
     fn energy(&self, _bodies: [&Configuration; 2]) -> f64 {
         0.0
     }
@@ -45,8 +45,8 @@ pub struct Row {
     pub wrench: [Wrench; 2],
     /// Velocity that the joint asks for [m/s or rad/s].
     pub bias: f64,
-    /// Velocity per impulse by which it yields [1/kg or 1/(kg m²)]; 0 for a rigid joint. The impulse meant is
-    /// half that of the step: a spring of stiffness k and damping d has 2/(Δt (½ k Δt + d)).
+    /// Velocity per impulse by which the joint yields [1/kg or 1/(kg m²)]; 0 for a rigid joint. The impulse
+    /// meant is half that of the step: a spring of stiffness k and damping d has 2/(Δt (½ k Δt + d)).
     pub compliance: f64,
 }
 

@@ -19,13 +19,13 @@ pub struct Spring {
     pub damping: f64,
     /// Length without force [m].
     pub length: f64,
-    /// Whether it can only pull: a cable.
+    /// Whether the spring can only pull: a cable.
     pub is_cable: bool,
 }
 
 impl Spring {
-    /// Between two points of space [m], without force at their distance, for bodies at the given poses; no
-    /// damping.
+    /// A spring between two points of space [m], without force at their distance, for bodies at the given
+    /// poses; no damping.
     #[must_use]
     pub fn between(ends: [DVec3; 2], bodies: [Option<usize>; 2], poses: [&Pose; 2], stiffness: f64) -> Self {
         let points = [poses[0].point_in_body(ends[0]), poses[1].point_in_body(ends[1])];

@@ -90,7 +90,7 @@ fn layout(figure: &Figure, legend: &Legend, size: [f64; 2]) -> Layout {
     }
 }
 
-/// With the legend above the axes; the page grows where it would take the room of the axes.
+/// The layout with the legend above the axes; the page grows where it would take the room of the axes.
 fn outside(figure: &Figure, legend: &Legend, [width, height]: [f64; 2]) -> Layout {
     let em = figure.style.font_size;
     let block = legend.block_within(width - 2.0 * EDGE * em);

@@ -3,7 +3,7 @@
 /// A figure: series over two axes, and how it is laid out.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
-    /// Name of its files, without ending.
+    /// Name of the files of the figure, without ending.
     pub name: String,
     /// The x axis.
     pub x: FigureAxis,
@@ -24,11 +24,11 @@ pub struct FigureAxis {
     pub label: String,
     /// Name of the column in files.
     pub name: String,
-    /// Its unit in files; `-` for a plain number, empty for words.
+    /// Unit of the axis in files; `-` for a plain number, empty for words.
     pub unit: String,
     /// Ends of the axis; by default those of what is shown, with a margin.
     pub range: Option<[f64; 2]>,
-    /// Whether it is logarithmic: values that are not positive are left out.
+    /// Whether the axis is logarithmic: values that are not positive are left out.
     pub logarithmic: bool,
     /// Words at 0, 1, 2, … of an axis of words; empty of one of numbers.
     pub words: Vec<String>,
@@ -50,11 +50,11 @@ impl FigureAxis {
 /// Points of one source at one level of a family.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FigureSeries {
-    /// How they are drawn.
+    /// How the points are drawn.
     pub kind: SeriesKind,
     /// The level of the family, such as `φ = 30 deg`; empty without one.
     pub level: String,
-    /// Where they come from: a model, a file.
+    /// Where the points come from: a model, a file.
     pub source: String,
     /// The points, in the order of the line.
     pub points: Vec<FigurePoint>,
@@ -74,7 +74,7 @@ pub enum SeriesKind {
 }
 
 impl SeriesKind {
-    /// The word for it in files.
+    /// The word for the kind of series in files.
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Computed => "computed",

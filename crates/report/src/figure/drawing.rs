@@ -28,7 +28,7 @@ impl Pen {
 pub(super) enum Item {
     /// A path, drawn and filled.
     Path {
-        /// What it is, for tests and for those who edit the file: `mark`, `error`, `curve`.
+        /// Class of the path, for tests and for those who edit the file: `mark`, `error`, `curve`.
         class: &'static str,
         segments: Vec<Segment>,
         pen: Option<Pen>,
@@ -37,9 +37,9 @@ pub(super) enum Item {
     /// A text.
     Text {
         text: LaidText,
-        /// Where its baseline begins.
+        /// Where the baseline of the text begins.
         at: [f64; 2],
-        /// Whether it runs upwards.
+        /// Whether the text runs upwards.
         is_turned: bool,
     },
 }

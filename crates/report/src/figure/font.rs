@@ -34,7 +34,7 @@ impl Face {
         }
     }
 
-    /// Its name in documents; the letters before it say that it is a part of a larger one.
+    /// Name of the face in documents; the letters before it say that it is a part of a larger one.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Upright => "CLTRFG+FigureSans",

@@ -25,9 +25,9 @@ const MEASURED: usize = 4;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Look {
     pub(super) colour: Colour,
-    /// Number of its dashes, of a line.
+    /// Number of the dashes of a line; `None` without a line.
     pub(super) dash: Option<usize>,
-    /// Number of its mark.
+    /// Mark of the series; `None` for a line alone.
     pub(super) mark: Option<Mark>,
     /// Whether the line is drawn at twice the width, where the dashes repeat.
     pub(super) is_bold: bool,
@@ -36,9 +36,9 @@ pub(super) struct Look {
 /// A mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Mark {
-    /// Of a computed point: circle, square, triangle, …
+    /// A mark of a computed point: circle, square, triangle, …
     Computed(usize),
-    /// Of a measurement: plus, cross, star, fork.
+    /// A mark of a measurement: plus, cross, star, fork.
     Measured(usize),
     /// A small mark of the same shapes: of a closed form at points without an order.
     Dot(usize),

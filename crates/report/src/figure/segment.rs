@@ -3,7 +3,7 @@
 /// A part of a path; places as the path has them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Segment {
-    /// To a new start.
+    /// A move to a new start.
     Move([f64; 2]),
     /// A line to a place.
     Line([f64; 2]),

@@ -5,7 +5,7 @@ use super::label::{Piece, Script};
 
 /// Size of indices and exponents, over that of the line (chosen).
 const SCRIPT: f64 = 0.72;
-/// How far they are lowered and raised [em].
+/// How far indices are lowered and exponents raised [em].
 const LOW: f64 = 0.16;
 const HIGH: f64 = 0.36;
 /// Thickness of a bar above a letter, and its gap to it [em].
@@ -65,7 +65,7 @@ impl LaidText {
         self.glyphs.iter().map(|glyph| glyph.letter).collect()
     }
 
-    /// Highest and lowest place that it covers [pt], y upwards from the baseline.
+    /// Highest and lowest place that the text covers [pt], y upwards from the baseline.
     pub(super) fn heights(&self) -> [f64; 2] {
         let glyphs = self.glyphs.iter().filter_map(|glyph| {
             let [_, low, _, high] = glyph.face.bounds(glyph.glyph)?;

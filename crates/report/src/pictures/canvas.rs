@@ -36,7 +36,7 @@ pub(crate) enum Anchor {
 pub(crate) struct Canvas {
     width: usize,
     height: usize,
-    /// On paper, and on a dark screen.
+    /// Pixels on paper, and on a dark screen.
     pixels: [Vec<u8>; 2],
 }
 

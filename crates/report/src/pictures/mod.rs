@@ -1,8 +1,8 @@
 //! Pictures of a state as PNG: slices along the body's mid-plane, the rut from above; its sections as SVG and
 //! CSV.
 //!
-//! They are drawn from what `fields` shows of a state. They are for the eye: results are in the tables and
-//! field files.
+//! The pictures are drawn from what `fields` shows of a state. They are for the eye: results are in the
+//! tables and field files.
 
 mod canvas;
 mod frame;

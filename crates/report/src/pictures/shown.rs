@@ -21,7 +21,7 @@ pub struct Shown<'a, R: Precision> {
     pub grid: Cow<'a, Grid>,
     /// The state on that grid.
     pub state: Cow<'a, State<R>>,
-    /// The free surface of all of it.
+    /// The free surface of the whole grid.
     pub map: HeightMap,
     /// Cells that hold soil, of all of it.
     pub filled_cells: u64,

@@ -25,8 +25,8 @@ pub(super) struct SmoothSoil {
 }
 
 impl SmoothSoil {
-    /// From the faces of the cells along both axes [m], fraction and value of a cell, and whether a body
-    /// covers a place.
+    /// The soil from the faces of the cells along both axes [m], fraction and value of a cell, and whether a
+    /// body covers a place.
     pub(super) fn new(
         faces: [&[f64]; 2],
         cell: impl Fn(usize, usize) -> (f64, f64),

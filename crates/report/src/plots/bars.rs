@@ -17,20 +17,20 @@ const LETTER: f64 = 6.4;
 /// A bar.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bar {
-    /// Where it ends; one that is not a number is left out.
+    /// Where the bar ends; one that is not a number is left out.
     pub value: f64,
     /// An interval, drawn as a thin line.
     pub interval: Option<[f64; 2]>,
-    /// Number of its colour.
+    /// Number of the colour of the bar.
     pub colour: usize,
-    /// What is written at its end; may be empty.
+    /// Text at the end of the bar; may be empty.
     pub note: String,
 }
 
 /// Bars with one label.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BarGroup {
-    /// Label to their left.
+    /// Label to the left of the bars.
     pub label: String,
     /// The bars.
     pub bars: Vec<Bar>,
@@ -39,7 +39,7 @@ pub struct BarGroup {
 /// A chart of horizontal bars. Labels may contain subscripts: `F_H`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bars {
-    /// Title above it.
+    /// Title above the chart.
     pub title: String,
     /// Label of the x axis, with symbol and unit.
     pub x_label: String,

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 /// A chart of curves over two axes, linear by default. Labels may contain subscripts: `F_H`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// Title above it.
+    /// Title above the chart.
     pub title: String,
     /// Label of the x axis, with symbol and unit.
     pub x_label: String,
@@ -112,7 +112,7 @@ impl Chart {
         svg
     }
 
-    /// What the script of a page needs in order to tell values from positions: ranges of the axes, where they
+    /// Attributes with which the script of a page tells values from positions: ranges of the axes, where they
     /// stand, their labels. On a logarithmic axis ranges are logarithms.
     fn attributes(&self, axes: &Axes) -> String {
         let ([x0, x1], [y0, y1]) = (axes.x, axes.y);

@@ -27,7 +27,7 @@ pub(crate) enum ColourMap {
     Diverging,
     /// From pale to brown: volume fraction of soil.
     Earth,
-    /// As diverging, but almost black for zero: for dark screens.
+    /// From blue to red-brown, but almost black for zero: for dark screens.
     DarkDiverging,
     /// From almost black to a light brown, for dark screens.
     DarkEarth,

@@ -30,7 +30,7 @@ pub(super) const DASHES: usize = 8;
 pub(super) const MARKS: usize = 8;
 
 impl Stroke {
-    /// Numbers of its dashes (none of marks alone) and of its mark.
+    /// Numbers of the dashes of the stroke (none of marks alone) and of its mark.
     pub(super) fn look(self) -> (Option<usize>, Option<usize>) {
         match self {
             Self::Solid | Self::Faint => (Some(0), None),
@@ -59,16 +59,16 @@ pub struct Curve {
     pub name: String,
     /// Points; a gap where one is not a number.
     pub points: Vec<[f64; 2]>,
-    /// Number of its colour.
+    /// Number of the colour of the curve.
     pub colour: usize,
-    /// How it is drawn.
+    /// How the curve is drawn.
     pub stroke: Stroke,
 }
 
 /// A level with its label, drawn over a range of the x axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
-    /// Label at its end.
+    /// Label at the end of the level.
     pub label: String,
     /// Value on the y axis.
     pub value: f64,
@@ -76,7 +76,7 @@ pub struct Level {
     pub from: f64,
     /// End on the x axis.
     pub to: f64,
-    /// Number of its colour.
+    /// Number of the colour of the level.
     pub colour: usize,
 }
 

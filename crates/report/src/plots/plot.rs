@@ -26,17 +26,17 @@ pub struct Plot {
     pub name: String,
     /// The picture as SVG text.
     pub svg: String,
-    /// What it shows.
+    /// What the plot shows.
     pub caption: String,
 }
 
 /// In which units plots are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Units {
-    /// Those in which the numbers are easy to read.
+    /// Units in which the numbers are easy to read.
     #[default]
     Readable,
-    /// The body's own: lengths over d, forces over γ t d², torques over γ t d³.
+    /// Units of the body: lengths over d, forces over γ t d², torques over γ t d³.
     Dimensionless,
 }
 

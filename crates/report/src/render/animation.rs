@@ -15,7 +15,7 @@ const SAMPLING: i32 = 10;
 pub(super) struct Animation<'a> {
     pub(super) size: [usize; 2],
     pub(super) count: usize,
-    /// How long each is shown [s].
+    /// How long each frame is shown [s].
     pub(super) pause: f64,
     pub(super) frame: &'a mut dyn FnMut(usize) -> Vec<u8>,
 }

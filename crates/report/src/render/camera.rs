@@ -46,7 +46,7 @@ impl Camera {
         camera
     }
 
-    /// The same, moved.
+    /// The camera, moved [m].
     pub(super) fn moved(mut self, by: DVec3) -> Self {
         self.eye += by;
         self

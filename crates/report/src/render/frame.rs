@@ -24,7 +24,7 @@ pub(super) struct Renderer<'a> {
     pub(super) title: &'a str,
     pub(super) options: &'a RenderOptions,
     viewpoint: Viewpoint,
-    /// That of the last recorded time where it follows a body.
+    /// Camera of the last recorded time where it follows a body.
     camera: Camera,
     /// Where the block of soil ends below [m].
     base: f64,
@@ -76,7 +76,7 @@ impl<'a> Renderer<'a> {
         canvas
     }
 
-    /// From above, from behind and from the right of the viewer.
+    /// Direction of the sun: from above, from behind and from the right of the viewer.
     fn sun(&self) -> DVec3 {
         let (s, c) = self.viewpoint.azimuth.sin_cos();
         let (ahead, right) = (DVec3::new(c, s, 0.0), DVec3::new(s, -c, 0.0));

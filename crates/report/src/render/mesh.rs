@@ -16,11 +16,11 @@ const SMOOTH: f64 = 0.82;
 /// A vertex of a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vertex {
-    /// Where it is [m].
+    /// Position of the vertex [m].
     pub(super) place: DVec3,
     /// The outward normal, of any length.
     pub(super) normal: DVec3,
-    /// Its colour in full light.
+    /// Colour of the vertex in full light.
     pub(super) tone: Tone,
 }
 

@@ -71,7 +71,7 @@ pub enum Colouring {
 pub struct RenderOptions {
     /// Files to write, in the formats of [`ImageFormat`].
     pub files: Vec<PathBuf>,
-    /// From where; `None`: obliquely, from the side in plane strain.
+    /// Viewpoint of the pictures; `None`: obliquely, from the side in plane strain.
     pub viewpoint: Option<Viewpoint>,
     /// What the colours mean.
     pub colouring: Colouring,
@@ -79,7 +79,7 @@ pub struct RenderOptions {
     pub size: [usize; 2],
     /// Whether the background is dark.
     pub dark: bool,
-    /// Whether title, scale and time are written on it.
+    /// Whether title, scale and time are written on the picture.
     pub labelled: bool,
     /// Time of the picture [s]: the nearest recorded one is drawn; the last unless given.
     pub time: Option<f64>,

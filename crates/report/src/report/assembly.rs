@@ -20,7 +20,7 @@ pub(super) fn all_bodies(summary: &Summary) -> Vec<[String; 2]> {
 #[derive(Debug, Serialize)]
 pub(super) struct ForceRow {
     name: String,
-    /// The body that it is a part of, or kind and bodies of a joint.
+    /// The body that the part belongs to, or kind and bodies of a joint.
     of: String,
     /// Mean force along x, y, z, and the largest.
     forces: [String; 4],

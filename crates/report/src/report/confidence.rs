@@ -17,13 +17,13 @@ use std::collections::BTreeMap;
 pub(super) struct VariationRow {
     pub(super) name: String,
     pub(super) source: &'static str,
-    /// What differs, or why it does not count.
+    /// What differs in the variation, or why it does not count.
     pub(super) what: String,
     pub(super) status: &'static str,
     pub(super) time: String,
-    /// The figures of its bodies; empty where there are none.
+    /// The figures of the bodies in the variation; empty where there are none.
     pub(super) figures: String,
-    /// Its grade; empty where it was not run.
+    /// Grade of the variation; empty where it was not run.
     pub(super) verdict: &'static str,
     pub(super) folder: String,
 }
@@ -43,9 +43,9 @@ pub(super) struct FigureRow {
 #[derive(Debug, Serialize)]
 pub(super) struct PartOfBar {
     pub(super) source: &'static str,
-    /// Its part of the sum of squares [%].
+    /// Part of the source in the sum of squares [%].
     pub(super) width: f64,
-    /// What it contributes, or why it does not.
+    /// What the source contributes, or why it does not.
     pub(super) text: String,
 }
 
@@ -55,7 +55,7 @@ pub(super) struct BodyIntervals {
     pub(super) name: String,
     pub(super) problem: Option<String>,
     pub(super) figures: Vec<FigureRow>,
-    /// Its figures over the cell width.
+    /// Figures of the body over the cell width.
     pub(super) plots: Vec<Plot>,
 }
 

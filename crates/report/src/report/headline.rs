@@ -17,7 +17,8 @@ use results::history::{BodySample, History};
 use results::trust::{Check, Verdict};
 use serde::Serialize;
 
-/// How far an interval's middle may lie from the value, over its half-width, for it to be written with ±.
+/// Distance of an interval's middle from the value, over its half-width, up to which the value is written
+/// with ±.
 const LOPSIDED: f64 = 0.15;
 /// Turn ratios from here on are those of a driven body.
 const DRIVEN: f64 = 1.0;
@@ -247,7 +248,7 @@ fn largest_interval(summary: &Summary) -> Option<(String, f64, &'static str)> {
     found.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// The sources that nobody asked for, in words: `domain and speed were`.
+/// The sources that were not asked for, in words: `domain and speed were`.
 fn not_asked_for(summary: &Summary) -> String {
     let variations = summary.confidence.iter().flat_map(|confidence| &confidence.variations);
     let words: Vec<&str> =

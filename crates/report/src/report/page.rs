@@ -46,9 +46,9 @@ pub(crate) struct ReportText {
 /// What a report shows that is built anew; nothing of it is kept in the folder of the results.
 #[derive(Clone, Debug, Default)]
 pub struct ReportWishes {
-    /// Curves of measurements and other runs, laid over the plots.
+    /// Curves of measurements and other runs that are overlaid on the plots.
     pub laid_over: Vec<Overlay>,
-    /// What is to be said of them.
+    /// Remarks on these curves.
     pub remarks: Vec<String>,
     /// The units of the plots.
     pub units: Units,
@@ -73,7 +73,7 @@ struct BodySection {
     tiles: Vec<Tile>,
     /// The key numbers of this kind of motion.
     rows: Vec<TableRow>,
-    /// What else there is.
+    /// Further numbers.
     further: Vec<TableRow>,
     /// Whether any of the rows has an interval.
     has_intervals: bool,

@@ -122,9 +122,9 @@ pub struct BodySummary {
     pub steady: Steady,
     /// Largest values.
     pub peak: Peak,
-    /// Its rim, averaged over the steady window.
+    /// The rim of the body, averaged over the steady window.
     pub rim: RimSummary,
-    /// How well the grid resolves it.
+    /// How well the grid resolves the body.
     pub mesh: Mesh,
 }
 
@@ -173,7 +173,7 @@ impl ForceSummary {
 pub struct RimSummary {
     /// Time at which the average begins [s].
     pub from_s: Option<f64>,
-    /// Time at which it ends [s].
+    /// Time at which the average ends [s].
     pub to_s: Option<f64>,
     /// Drag on the rim [N].
     #[serde(rename = "drag_N")]

@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 pub(super) struct Tripod([usize; 3]);
 
 impl Tripod {
-    /// Of the points of a body; `None` where all lie on a line.
+    /// Three points of a body that span it well; `None` where all lie on a line.
     pub(super) fn of(points: &[DVec3]) -> Option<Self> {
         let farthest = |away: &dyn Fn(DVec3) -> f64| {
             (0..points.len()).max_by(|&a, &b| away(points[a]).total_cmp(&away(points[b])))

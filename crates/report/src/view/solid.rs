@@ -10,22 +10,22 @@ use std::collections::HashMap;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct RecordedBody {
     pub(crate) name: String,
-    /// Points of its surface about the middle of the body, as it was at the start.
+    /// Points of the surface about the middle of the body, as it was at the start.
     pub(crate) points: Vec<DVec3>,
     pub(crate) triangles: Vec<[usize; 3]>,
-    /// Of each time: the rotation row by row, and where the middle is.
+    /// Poses of the body by time: the rotation row by row, and where the middle is.
     pub(crate) poses: Vec<[f64; 12]>,
-    /// Its extent along x and y over all times.
+    /// Extent of the body along x and y over all times [m], as low and high ends.
     pub(super) reach: [[f64; 2]; 2],
 }
 
 impl RecordedBody {
-    /// Whether it rotates.
+    /// Whether the body rotates.
     pub(crate) fn turns(&self) -> bool {
         self.poses.iter().any(|pose| (pose[0] - 1.0).abs() > 1e-6)
     }
 
-    /// Lowest and highest coordinates of its points.
+    /// Lowest and highest coordinates of the points of the body.
     pub(super) fn bounds(&self) -> (DVec3, DVec3) {
         bounds(&self.points)
     }

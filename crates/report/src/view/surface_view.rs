@@ -20,7 +20,7 @@ const STEPS: f64 = 65_535.0;
 pub(crate) struct SurfaceView {
     /// Times [s].
     pub(crate) times: Vec<f64>,
-    /// Displacement of the first body at these times [m]; empty where there is none.
+    /// Displacement of the first body at the recorded times [m]; empty where there is none.
     pub(crate) displacements: Vec<f64>,
     /// Places along x and y.
     x: Vec<f64>,
@@ -49,9 +49,9 @@ struct ViewedBody {
     step: f64,
     points: String,
     triangles: String,
-    /// Of each time: the rotation row by row, and where the middle is [m].
+    /// Poses of the body by time: the rotation row by row, and where the middle is [m].
     poses: Vec<[f64; 12]>,
-    /// Whether it rotates.
+    /// Whether the body rotates.
     turns: bool,
 }
 

@@ -9,7 +9,7 @@ use solver::precision::Precision;
 use solver::state::State;
 use std::ops::Range;
 
-/// What every checkpoint begins with.
+/// First bytes of every checkpoint.
 pub(super) const MAGIC: &[u8; 7] = b"COULTER";
 /// Version of what follows, where that is not in the layout of its types: what a number means, how a file is
 /// packed.
@@ -18,24 +18,25 @@ pub(super) const VERSION: u8 = b'K';
 /// Soil and nodes of a block, in a file of their own beside the checkpoint.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct PortionFile {
-    /// Its name.
+    /// Name of the file.
     pub(super) name: String,
     /// Layers of cells of the whole grid along x, y, z that it holds.
     pub(super) layers: [Range<usize>; 3],
-    /// Hash of what it holds.
+    /// Hash of the content of the file.
     pub(super) hash: u64,
 }
 
-/// What a checkpoint holds.
+/// The content of a checkpoint.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct Checkpoint<R = f64> {
-    /// Name of the precision of its fields. It stands first, so that it can be read whatever it is.
+    /// Name of the precision of the fields. This stands first, so that it can be read whatever the precision
+    /// is.
     pub precision: String,
     /// The resolved case, as text; a run must not resume with another.
     pub case: String,
     /// The state of the solver; without soil and nodes as long as these are in files of their own.
     pub state: State<R>,
-    /// Those files; none where the grid was in one block.
+    /// Files of soil and nodes; none where the grid was in one block.
     pub(super) portions: Vec<PortionFile>,
     /// The history so far.
     pub history: History,
@@ -43,16 +44,16 @@ pub struct Checkpoint<R = f64> {
     pub last_sample: LastSample,
 }
 
-/// The same, borrowed from a run that continues.
+/// The content of a checkpoint, borrowed from a run that continues.
 #[derive(Debug)]
 pub struct CheckpointView<'a, R> {
-    /// Name of the precision of its fields.
+    /// Name of the precision of the fields.
     pub precision: &'static str,
     /// The resolved case, as text.
     pub case: String,
     /// The state of the solver.
     pub state: &'a State<R>,
-    /// The grid, or this block of it, and its halo.
+    /// The grid, or the block of it that this process has, and its halo.
     pub block: (&'a Grid, &'a Halo),
     /// The history so far.
     pub history: &'a History,
@@ -60,7 +61,7 @@ pub struct CheckpointView<'a, R> {
     pub last_sample: &'a LastSample,
 }
 
-/// What is written of it into the main file, in the order of [`Checkpoint`].
+/// The part of a checkpoint that is written into the main file, in the order of [`Checkpoint`].
 #[derive(Debug, Serialize)]
 pub(super) struct Record<'a, R> {
     pub(super) precision: &'static str,
@@ -72,7 +73,7 @@ pub(super) struct Record<'a, R> {
 }
 
 impl<R: Precision> CheckpointView<'_, R> {
-    /// The same, owned.
+    /// The content of the checkpoint, owned.
     #[must_use]
     pub fn kept(&self) -> Checkpoint<R> {
         Checkpoint {

@@ -1,5 +1,5 @@
-//! Whether a checkpoint that was read is one of a case: whoever goes on from it takes for granted that it has
-//! as many of everything.
+//! Whether a checkpoint that was read is one of a case: code that goes on from it assumes that it has as many
+//! of everything.
 
 use super::contents::Checkpoint;
 use crate::history::probes::places;
@@ -14,8 +14,8 @@ use solver::state::Body;
 const MOST_SAMPLES: usize = 1 << 48;
 
 impl<R: Precision> Checkpoint<R> {
-    /// Whether this can be a checkpoint of a run of a case; the model is that of the case, its grid that on
-    /// which the state was read.
+    /// Whether the checkpoint can be a checkpoint of a run of a case; the model is that of the case, its grid
+    /// that on which the state was read.
     #[must_use]
     pub fn is_of(&self, case: &Case, model: &Model) -> bool {
         self.state.is_of(model) && self.has_history_of(case) && self.has_stages_of(case)

@@ -78,7 +78,7 @@ pub fn forget_last(dir: &Path) -> Result<(), OutputError> {
     last(dir).remove().named("remove", &path(dir))
 }
 
-/// Removes the checkpoint before the last: a run that has come to its end needs no other to fall back on.
+/// Removes the checkpoint before the last: a run that has finished needs no other to fall back on.
 ///
 /// # Errors
 /// When it is there and cannot be removed.

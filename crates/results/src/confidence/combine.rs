@@ -9,8 +9,8 @@ use crate::confidence::variations::{FARTHER, LONGER};
 /// with the first power of the distance, c/R, so that a domain [`FARTHER`] times as far leaves the change
 /// times s/(s − 1).
 pub const REACH_DOMAIN: f64 = FARTHER / (FARTHER - 1.0);
-/// The same for a motion without speed: viscosity adds to a force with the first power of the speed, inertia
-/// with the second.
+/// How far the figure of a motion without speed may be, in changes by the slower one: viscosity adds to a
+/// force with the first power of the speed, inertia with the second.
 pub const REACH_SPEED: f64 = LONGER / (LONGER - 1.0);
 /// How far the figure without rounding may be, in changes by the other precision, to either side: Roache's
 /// factor where the better value is known.
@@ -24,7 +24,7 @@ pub(super) fn bias(change: f64, reach: f64) -> [f64; 2] {
     if change < 0.0 { [towards, against] } else { [against, towards] }
 }
 
-/// The same for a change that may go either way.
+/// How far below and above its value a figure may be for a change that may go either way.
 pub(super) fn scatter(change: f64) -> [f64; 2] {
     [SAFETY_PRECISION * change.abs(); 2]
 }

@@ -120,7 +120,8 @@ struct Posterior {
 }
 
 impl Posterior {
-    /// Of figures with the covariance σ² I + s² g gᵀ, g = x^p, about a limit of which nothing is known.
+    /// The posterior of figures with the covariance σ² I + s² g gᵀ, g = x^p, about a limit of which nothing
+    /// is known.
     fn of(widths: &[f64], values: &[f64], order: f64, scatter: f64) -> Self {
         let powers: Vec<f64> = widths.iter().map(|width| width.powf(order)).collect();
         let (noise, prior) = (scatter * scatter, EXPECTED_ERROR * EXPECTED_ERROR);

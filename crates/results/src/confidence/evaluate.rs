@@ -13,12 +13,12 @@ use crate::trust::steadiness::Trend;
 use crate::trust::{BodySetting, Verdict};
 use std::collections::BTreeMap;
 
-/// A run: the case's own, or that of a variation that has come to its end.
+/// A run: the case's own, or that of a variation that has finished.
 #[derive(Clone, Copy, Debug)]
 pub struct VariedRun<'a> {
-    /// What is known of it; the figures are filled in.
+    /// What is known of the variation; the figures are filled in.
     pub result: &'a VariationResult,
-    /// Its history; `None` where there is none.
+    /// History of the run; `None` where there is none.
     pub history: Option<&'a History>,
 }
 
@@ -55,7 +55,7 @@ struct OwnBody<'a> {
     width: f64,
 }
 
-/// The same body in a variation, averaged over the same window.
+/// A body of the case's own run in a variation, averaged over the same window.
 struct VariedBody<'a> {
     result: &'a VariationResult,
     status: Status,

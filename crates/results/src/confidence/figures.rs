@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 pub struct Confidence {
     /// Wall-clock time that the variations were allowed to take together [s]; `null` without a limit.
     pub budget_s: Option<f64>,
-    /// Wall-clock time that they took [s].
+    /// Wall-clock time that the variations took [s].
     pub spent_s: f64,
     /// How accurate the figures were to be; nothing without `--accuracy`.
     #[serde(skip_serializing_if = "Wanted::is_nothing")]
@@ -30,23 +30,23 @@ pub struct Confidence {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
-    /// It was run, and counts.
+    /// The variation was run, and counts.
     Examined,
-    /// It does not apply to the case.
+    /// The variation does not apply to the case.
     NotApplicable,
-    /// Nobody asked for it.
+    /// The variation was not asked for.
     NotAskedFor,
-    /// It was not run for lack of budget.
+    /// The variation was not run for lack of budget.
     #[default]
     NotExamined,
-    /// It was run and came to its end, but cannot be compared.
+    /// The variation was run to its end, but cannot be compared.
     NotComparable,
-    /// Its run is broken.
+    /// The run of the variation is broken.
     Broken,
 }
 
 impl Status {
-    /// In words.
+    /// The status in words.
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
@@ -70,30 +70,30 @@ impl Status {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct VariationResult {
-    /// Its name.
+    /// Name of the variation.
     pub name: String,
-    /// What it examines.
+    /// Source of uncertainty that the variation examines.
     pub source: ErrorSource,
     /// What differs from the case, in words.
     pub what: String,
-    /// What became of it.
+    /// What became of the variation.
     pub status: Status,
-    /// Why it does not count; `null` where it does.
+    /// Why the variation does not count; `null` where it does.
     pub because: Option<String>,
-    /// Its folder below the results folder; empty where it was not run.
+    /// Folder of the variation below the results folder; empty where it was not run.
     pub folder: String,
     /// Wall-clock time that was predicted from that of the case's own run [s].
     pub predicted_wall_s: Option<f64>,
-    /// Wall-clock time that it took [s].
+    /// Wall-clock time that the variation took [s].
     pub wall_s: Option<f64>,
     /// Representative cell width [m].
     pub width_m: f64,
     /// How much longer everything takes that the case prescribes.
     pub time_factor: f64,
-    /// Name of the variation from which it differs, on whose cells it is; `null` where that is the case
+    /// Name of the variation from which this one differs, on whose cells it is; `null` where that is the case
     /// itself.
     pub beside: Option<String>,
-    /// Grade of its run.
+    /// Grade of the variation's run.
     pub verdict: Option<Verdict>,
     /// Figures by body, averaged over the window of the case's own run.
     pub bodies: BTreeMap<String, BTreeMap<String, f64>>,
@@ -123,7 +123,7 @@ pub struct ConfidenceInterval {
     pub value: f64,
     /// The interval, in the unit of the figure. The value need not lie in its middle.
     pub interval: [f64; 2],
-    /// Half of its width, in the unit of the figure.
+    /// Half of the width of the interval, in the unit of the figure.
     pub half_width: f64,
     /// Half-width over the value; of a force below a tenth of the whole force on the body over that tenth, of
     /// the turn ratio over 1. `null` where the value is 0 and the half-width is not.
@@ -132,7 +132,7 @@ pub struct ConfidenceInterval {
     pub dominated_by: Option<ErrorSource>,
     /// Whether every source that applies was examined; where not, the interval may be too narrow.
     pub is_complete: bool,
-    /// What it consists of.
+    /// Contributions of the sources of uncertainty to the interval.
     pub contributions: Vec<Contribution>,
 }
 
@@ -142,19 +142,19 @@ pub struct ConfidenceInterval {
 pub struct Contribution {
     /// The source.
     pub source: ErrorSource,
-    /// Whether it was examined.
+    /// Whether the source was examined.
     pub status: Status,
-    /// Why it was not; `null` where it was.
+    /// Why the source was not examined; `null` where it was.
     pub because: Option<String>,
-    /// Change of the figure by the variation, in its unit; `null` for mesh and statistics.
+    /// Change of the figure by the variation, in the unit of the figure; `null` for mesh and statistics.
     pub change: Option<f64>,
-    /// How far the interval reaches below the value on its account, in the unit of the figure.
+    /// How far the source takes the interval below the value, in the unit of the figure.
     pub below: f64,
-    /// How far it reaches above.
+    /// How far the source takes the interval above the value, in the unit of the figure.
     pub above: f64,
     /// The larger of both over what half-widths are compared with; `null` where that is 0.
     pub relative: Option<f64>,
-    /// Of the mesh, how the figure converges; `null` where it was not examined.
+    /// How the figure converges, of the mesh; `null` where the mesh was not examined.
     pub convergence: Option<Convergence>,
 }
 

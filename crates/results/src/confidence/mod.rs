@@ -1,8 +1,8 @@
 //! One interval for each force and sinkage of a run, from the same case on other meshes, in a larger domain,
 //! at half the speed and in the other precision, and what dominates it.
 //!
-//! It is calculated from histories and grades alone; `run` makes them, `output` reads them. The formulas and
-//! their sources are in `docs/theory/confidence.md`.
+//! The intervals are calculated from histories and grades alone; `run` makes them, `output` reads them. The
+//! formulas and their sources are in `docs/theory/confidence.md`.
 
 mod checks;
 mod combine;

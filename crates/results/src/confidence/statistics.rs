@@ -12,8 +12,8 @@ pub(super) fn of_tow(blocks: &[f64; BLOCKS]) -> f64 {
     STUDENT_90 * standard_error(blocks)
 }
 
-/// The same of a body that is pressed, whose force may rise as it goes deeper: the scatter about a straight
-/// line.
+/// Half-width of the interval (90 %) of the mean of a body that is pressed, whose force may rise as it goes
+/// deeper: the scatter about a straight line.
 pub(super) fn of_press(blocks: &[f64; BLOCKS]) -> f64 {
     let count = BLOCKS as f64;
     let mean = blocks.iter().sum::<f64>() / count;

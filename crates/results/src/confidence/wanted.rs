@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 pub struct Wanted(pub BTreeMap<String, f64>);
 
 impl Wanted {
-    /// From a text such as `5 %`, or `drag 5 %, sinkage 8 %`.
+    /// Reads a text such as `5 %`, or `drag 5 %, sinkage 8 %`.
     ///
     /// # Errors
     /// What to write instead.
@@ -49,7 +49,7 @@ impl Wanted {
         self.0.get(key).or_else(|| self.0.get("")).copied()
     }
 
-    /// Whether nothing is.
+    /// Whether no accuracy is wanted.
     #[must_use]
     pub fn is_nothing(&self) -> bool {
         self.0.is_empty()

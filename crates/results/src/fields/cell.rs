@@ -41,7 +41,7 @@ impl<'a, R: Precision> CellView<'a, R> {
         if self.is_void() { 0.0 } else { value.into() }
     }
 
-    /// Mean velocity of its nodes [m/s]. Nodes without mass do not move and do not count.
+    /// Mean velocity of the nodes of the cell [m/s]. Nodes without mass do not move and do not count.
     pub fn velocity(&self) -> DVec3 {
         if self.is_void() {
             return DVec3::ZERO;
@@ -135,7 +135,7 @@ impl<'a, R: Precision> CellView<'a, R> {
         self.state.soil.mass[self.index].into() / (self.fraction * self.domain.volume(self.at))
     }
 
-    /// History variable number `n` of their table, in its unit.
+    /// Value of history variable number `n` in the order of the table, in its unit.
     pub fn history(&self, n: usize) -> f64 {
         self.unless_void(self.state.soil.history[n][self.index])
     }

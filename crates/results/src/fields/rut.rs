@@ -13,8 +13,8 @@ use solver::state::State;
 pub struct Rut {
     /// Sections along the tow, over every column of cells.
     pub sections: Vec<RutSection>,
-    /// Their mean behind the body, from one length behind its middle on, over the last part of the tow or at
-    /// least half a length; `None` where it has not gone farther than its length.
+    /// Mean section behind the body, from one length behind its middle on, over the last part of the tow or
+    /// at least half a length; `None` where the body has not gone farther than its length.
     pub mean: Option<RutSection>,
 }
 

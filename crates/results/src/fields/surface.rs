@@ -25,7 +25,7 @@ pub struct HeightMap {
     pub edges: [Vec<f64>; 2],
     /// The columns of soil, x fastest.
     pub columns: Vec<GroundColumn>,
-    /// The same columns as they were before anything moved; none where the ground was level.
+    /// The columns of soil as they were before anything moved, x fastest; none where the ground was level.
     pub undisturbed: Vec<GroundColumn>,
     /// Height of the undisturbed surface [m]; of uneven ground that over which it rises and falls.
     pub reference: f64,
@@ -104,7 +104,7 @@ impl HeightMap {
         Some(map)
     }
 
-    /// Its columns before anything moved, in layers of cells with these faces [m].
+    /// The columns of the map before anything moved, in layers of cells with these faces [m].
     fn before(&self, case: &Case, layers: &[f64]) -> Vec<GroundColumn> {
         if case.is_even() {
             return Vec::new();
@@ -216,7 +216,7 @@ impl HeightMap {
         self.columns[j * self.centres[0].len() + i]
     }
 
-    /// Its columns with their places, x fastest.
+    /// The columns of the map with their places, x fastest.
     #[must_use]
     pub fn points(&self) -> Vec<SurfacePoint> {
         let places = self.centres[1].iter().flat_map(|y| self.centres[0].iter().map(move |x| [*x, *y]));

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 pub struct FileError {
     /// What was tried, such as "write".
     pub action: &'static str,
-    /// On which file or folder.
+    /// The file or folder.
     pub path: PathBuf,
     /// What the operating system said.
     pub source: io::Error,
@@ -21,7 +21,7 @@ pub enum OutputError {
     /// The operating system refused.
     #[error(transparent)]
     File(#[from] FileError),
-    /// There is a result already, which must not be overwritten without being asked.
+    /// The folder holds a result already, which must not be overwritten without being asked.
     #[error(
         "{path} already holds a result; --force replaces it, -o DIR writes to another folder",
         path = path.display()
@@ -71,7 +71,7 @@ pub enum OutputError {
     Format {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it, and what to do.
+        /// What is wrong with the file, and what to do.
         problem: String,
     },
     /// A file does not have the expected content.
@@ -79,7 +79,7 @@ pub enum OutputError {
     Content {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it, and where.
+        /// What is wrong with the file, and where.
         problem: String,
     },
 }

@@ -16,7 +16,7 @@ pub const RESOLVED: &str = "resolved.toml";
 pub const TYPED: &str = "case.toml";
 /// The page of the run.
 pub const REPORT: &str = "report.html";
-/// What happened when.
+/// The log: what happened when.
 pub const LOG: &str = "run.log";
 /// Lists of the field files by time.
 pub const LISTS: [&str; 3] = ["soil.pvd", "surface.pvd", "body.pvd"];

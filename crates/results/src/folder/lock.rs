@@ -1,6 +1,6 @@
 //! The lock of a results folder: one run at a time can use it.
 //!
-//! It is the operating system's lock on a file, which ends with the process that holds it: a killed run
+//! The lock is the operating system's lock on a file, which ends with the process that holds it: a killed run
 //! leaves the file behind, but not the lock. The file names its owner, for information.
 
 use crate::files::{Inside, Named, OutputError, make_folder};

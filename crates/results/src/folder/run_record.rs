@@ -26,12 +26,12 @@ pub(super) const RUN_RECORD: &str = "run.json";
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// It is still running.
+    /// The run is still going on.
     #[default]
     Running,
-    /// It reached its end.
+    /// The run reached its end.
     Finished,
-    /// It was stopped from outside and can be resumed.
+    /// The run was stopped from outside and can be resumed.
     Interrupted,
     /// The physics failed; the message says how.
     BrokeDown(String),
@@ -55,7 +55,7 @@ pub struct RunStatistics {
     pub wall_seconds: f64,
     /// Threads.
     pub threads: usize,
-    /// How it ended.
+    /// How the run ended.
     pub outcome: Outcome,
     /// Warnings about the case from before the run.
     pub advice: Vec<String>,
@@ -66,16 +66,16 @@ pub struct RunStatistics {
 /// A stage of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct StageRecord {
-    /// Its name.
+    /// Name of the stage.
     pub name: String,
-    /// When it began [s].
+    /// When the stage began [s].
     pub from_s: f64,
-    /// When it ended [s]; of one that is still on, the last sample.
+    /// When the stage ended [s]; the time of the last sample of a stage that is still on.
     pub to_s: f64,
 }
 
 impl StageRecord {
-    /// Those of a run that has come so far.
+    /// The stages of a case that have begun, from the history of the run.
     #[must_use]
     pub fn all(case: &Case, history: &History) -> Vec<Self> {
         let record = |(number, stage): (usize, &Stage)| {
@@ -117,7 +117,7 @@ pub struct RunRecord {
     pub steady_fraction: f64,
     /// Cut-off frequency of the filtered forces [Hz].
     pub filter_cutoff: f64,
-    /// The stage over which they are taken, by number; `None` for a run that has only one.
+    /// The stage over which averages are taken, by number; `None` for a run that has only one.
     pub steady_stage: Option<usize>,
     /// Whether only y ≥ 0 is modelled.
     pub symmetric: bool,
@@ -126,7 +126,7 @@ pub struct RunRecord {
     pub symmetric_x: bool,
     /// Whether the soil was heaped on a floor instead of lying level.
     pub heaped: bool,
-    /// Whether it is plane strain.
+    /// Whether the case is plane strain.
     pub plane_strain: bool,
     /// The bodies.
     pub bodies: Vec<Reference>,
@@ -145,7 +145,7 @@ pub struct RunRecord {
 /// A part of a body that consists of several.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PartRecord {
-    /// Its name.
+    /// Name of the part.
     pub name: String,
     /// Name of the body.
     pub body: String,
@@ -164,9 +164,9 @@ impl PartRecord {
 /// A joint of a run.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct JointRecord {
-    /// Its name.
+    /// Name of the joint.
     pub name: String,
-    /// Its kind in one word.
+    /// Kind of the joint in one word.
     pub kind: String,
     /// Names of the two bodies.
     pub bodies: [String; 2],

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// the end through which the soil leaves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SurfacePoint {
-    /// Middle of its column of cells along x [m].
+    /// Middle of the column of cells along x [m].
     pub x: f64,
     /// Along y [m].
     pub y: f64,
@@ -16,10 +16,10 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// How many numbers it is.
+    /// Number of numbers of a point.
     pub(crate) const NUMBERS: usize = 2 + GroundColumn::NUMBERS;
 
-    /// Its numbers.
+    /// The numbers of the point.
     pub(crate) fn to_array(self) -> [f64; Self::NUMBERS] {
         let mut numbers = [0.0; Self::NUMBERS];
         [numbers[0], numbers[1]] = [self.x, self.y];
@@ -32,7 +32,7 @@ impl SurfacePoint {
         Self { x: numbers[0], y: numbers[1], column: GroundColumn::from_numbers(&numbers[2..]) }
     }
 
-    /// Its position along x (0) or y (1) [m].
+    /// Position of the point along x (0) or y (1) [m].
     #[must_use]
     pub fn along(&self, axis: usize) -> f64 {
         if axis == 0 { self.x } else { self.y }

@@ -34,9 +34,9 @@ pub struct ForceSample {
     /// Moment about x [N m], through the joint's point of the second body, or through the reference point of
     /// the part.
     pub moment_x: f64,
-    /// The same about y [N m].
+    /// Moment about y [N m], through the same point as that about x.
     pub moment_y: f64,
-    /// The same about z [N m].
+    /// Moment about z [N m], through the same point as that about x.
     pub moment_z: f64,
     /// Distance between the joint's points of the two bodies [m]: the length of a spring or a cable, the
     /// displacement of a slider; 0 of a part.
@@ -145,7 +145,7 @@ pub struct BoundarySample {
 /// The beginning of a stage of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StageStart {
-    /// When it began [s].
+    /// When the stage began [s].
     pub time: f64,
     /// The motions of each body from then on.
     pub motions: Vec<[Motion; 6]>,

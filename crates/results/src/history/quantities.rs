@@ -24,17 +24,17 @@ type MeanPlace = fn(&mut Steady) -> &mut Option<f64>;
 /// A column of a history file.
 #[derive(Debug)]
 pub struct Column<S: 'static> {
-    /// Its name, without the unit.
+    /// Name of the column, without the unit.
     pub name: &'static str,
-    /// Its unit; `-` for a number without one.
+    /// Unit of the column; `-` for a number without one.
     pub unit: &'static str,
-    /// What it is, for the documentation.
+    /// Meaning of the column, for the documentation.
     pub meaning: &'static str,
-    /// Where its values come from.
+    /// Where the values of the column come from.
     pub source: Source<S>,
     /// Whether every line of a sound history has a finite number here.
     pub is_required: bool,
-    /// What is made of its mean over the steady window, of a quantity that has one.
+    /// The figure that the mean over the steady window is, of a quantity that has one.
     pub figure: Option<Figure>,
 }
 
@@ -83,8 +83,8 @@ impl<S: Copy> Column<S> {
         self
     }
 
-    /// Makes it a quantity with a steady mean: names, symbol, what the report says beside the mean, and where
-    /// the mean stands.
+    /// Makes the column a quantity with a steady mean: names, symbol, what the report says beside the mean,
+    /// and where the mean stands.
     const fn figure(mut self, name: Text, words: Text, symbol: Text, note: Text, mean: MeanPlace) -> Self {
         self.figure = Some(Figure { name, words, symbol, note, mean, scale: None });
         self
@@ -98,13 +98,13 @@ impl<S: Copy> Column<S> {
         self
     }
 
-    /// Its header: name and unit.
+    /// Header of the column: name and unit.
     #[must_use]
     pub fn header(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
     }
 
-    /// Its value in a line; not-a-number where it is not defined.
+    /// Value of the column in a line; not-a-number where it is not defined.
     #[must_use]
     pub fn value(&self, sample: &S, reference: &Reference) -> f64 {
         match self.source {
@@ -123,18 +123,18 @@ pub fn header<S: Copy>(columns: &[Column<S>]) -> String {
 /// What a quantity with a steady mean is called, and where its mean and interval stand.
 #[derive(Clone, Copy, Debug)]
 pub struct Figure {
-    /// Its name in tables of studies and in Python, such as `vertical`; with the unit its key in
+    /// Name of the quantity in tables of studies and in Python, such as `vertical`; with the unit its key in
     /// `summary.json`.
     pub name: &'static str,
-    /// Its name in sentences, such as `vertical force`.
+    /// Name of the quantity in sentences, such as `vertical force`.
     pub words: &'static str,
-    /// Its symbol, such as `F_V`; empty for none.
+    /// Symbol of the quantity, such as `F_V`; empty for none.
     pub symbol: &'static str,
-    /// What the report says beside its mean.
+    /// What the report says beside the mean.
     pub note: &'static str,
-    /// Where its mean stands.
+    /// Where the mean stands.
     pub(crate) mean: MeanPlace,
-    /// What half-widths of its intervals are compared with; `None` where it has no intervals.
+    /// What half-widths of the intervals are compared with; `None` where the quantity has no intervals.
     pub(crate) scale: Option<Scale>,
 }
 
@@ -156,7 +156,7 @@ pub(crate) enum Scale {
 pub struct Quantity {
     /// The column.
     pub column: &'static Column<BodySample>,
-    /// What is made of it.
+    /// Names of the quantity, and where its mean and interval stand.
     pub figure: &'static Figure,
 }
 
@@ -176,7 +176,7 @@ impl PartialEq for Quantity {
 }
 
 impl Quantity {
-    /// All of them: forces, lengths, ratios, torques, and what has another unit, each in the order of the
+    /// All quantities: forces, lengths, ratios, torques, and what has another unit, each in the order of the
     /// columns.
     #[must_use]
     pub fn all() -> Vec<Self> {
@@ -188,48 +188,48 @@ impl Quantity {
         all
     }
 
-    /// Those that have intervals.
+    /// The quantities that have intervals.
     pub fn with_intervals() -> impl Iterator<Item = Self> {
         Self::all().into_iter().filter(|quantity| quantity.figure.scale.is_some())
     }
 
-    /// The one with this name, such as `vertical`.
+    /// The quantity with this name, such as `vertical`.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::all().into_iter().find(|quantity| quantity.figure.name == name)
     }
 
-    /// The one with this key.
+    /// The quantity with this key.
     pub fn keyed(key: &str) -> Option<Self> {
         Self::all().into_iter().find(|quantity| quantity.key() == key)
     }
 
-    /// Its key in `summary.json`, such as `vertical_N`.
+    /// Key of the quantity in `summary.json`, such as `vertical_N`.
     #[must_use]
     pub fn key(&self) -> String {
         key(self.figure.name, self.column.unit)
     }
 
-    /// Its name in charts, such as `vertical force F_V`.
+    /// Name of the quantity in charts, such as `vertical force F_V`.
     #[must_use]
     pub fn label(&self) -> String {
         format!("{} {}", self.figure.words, self.figure.symbol.replace(' ', "")).trim_end().to_owned()
     }
 
-    /// Its name as a heading, such as `Vertical force`.
+    /// Name of the quantity as a heading, such as `Vertical force`.
     pub fn title(&self) -> String {
         let mut letters = self.figure.words.chars();
         letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
     }
 
-    /// Its mean, in its unit.
+    /// Mean of the quantity, in its unit.
     #[must_use]
     pub fn mean(&self, steady: &Steady) -> Option<f64> {
         *(self.figure.mean)(&mut steady.clone())
     }
 
-    /// Its averages over the blocks of a window; `None` if there are too few samples, or where it is not
-    /// defined.
+    /// Averages of the quantity over the blocks of a window; `None` if there are too few samples, or where it
+    /// is not defined.
     pub(crate) fn blocks(&self, inside: &[BodySample], reference: &Reference) -> Option<[f64; BLOCKS]> {
         let averages = |place: fn(&mut BodySample) -> &mut f64| {
             block_averages(&inside.iter().map(|sample| *place(&mut { *sample })).collect::<Vec<_>>())
@@ -314,7 +314,7 @@ pub struct BodySample {
     pub vertical_normal: f64,
     /// Torque of the soil about the axle [N m], positive when it makes the body roll forward.
     pub axle_torque: f64,
-    /// Rotation Ω [rad], positive when it rolls forward.
+    /// Rotation Ω of the body [rad], positive when it rolls forward.
     pub rotation: f64,
     /// Rate of rotation ω [rad/s].
     pub spin: f64,
@@ -332,15 +332,15 @@ pub struct BodySample {
     pub tilt: f64,
     /// Moment of the soil about the x axis of space through the reference point [N m].
     pub moment_x: f64,
-    /// The same about y [N m].
+    /// Moment of the soil about the y axis of space through the reference point [N m].
     pub moment_y: f64,
-    /// The same about z [N m].
+    /// Moment of the soil about the z axis of space through the reference point [N m].
     pub moment_z: f64,
     /// Drag of the water against the tow [N], which is not part of `drag`.
     pub water_drag: f64,
     /// Portion of the drag that excess pore pressure exerts [N].
     pub pore_drag: f64,
-    /// Portion of the vertical force that it exerts [N].
+    /// Portion of the vertical force that excess pore pressure exerts [N].
     pub pore_vertical: f64,
     /// Soil inside the body [m³] (a measure of leakage).
     pub leaked_volume: f64,
@@ -369,11 +369,11 @@ impl BodySample {
 pub struct Steady {
     /// Displacement at which the window begins [m].
     pub from_m: Option<f64>,
-    /// Displacement at which it ends [m].
+    /// Displacement at which the window ends [m].
     pub to_m: Option<f64>,
-    /// Time at which it begins [s].
+    /// Time at which the window begins [s].
     pub from_s: Option<f64>,
-    /// Time at which it ends [s].
+    /// Time at which the window ends [s].
     pub to_s: Option<f64>,
     /// Mean drag F_H [N].
     #[serde(rename = "drag_N")]
@@ -466,7 +466,7 @@ pub struct Traction {
 }
 
 impl Traction {
-    /// From the means of drag and vertical force [N], of the power of the tow and of the axle [W].
+    /// Traction from the means of drag and vertical force [N], of the power of the tow and of the axle [W].
     pub(super) fn of(
         reference: &Reference,
         [drag, vertical, tow_power, axle_power]: [Option<f64>; 4],

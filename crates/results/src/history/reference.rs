@@ -75,23 +75,23 @@ impl Groups {
 pub struct Reference {
     /// Name of the body.
     pub name: String,
-    /// Its kind: "disc", "block", "cylinder", "sphere", "frame".
+    /// Kind of the body: "disc", "block", "cylinder", "sphere", "frame".
     pub kind: String,
     /// Reference length d [m]: the diameter, a block's height; 0 of a frame, which has no surface.
     pub length: f64,
     /// Reference width t [m]: a disc's thickness, the edge of a block across the tow, the length of a
     /// cylinder across it, otherwise the diameter; in plane strain a metre.
     pub width: f64,
-    /// Width of all its surfaces across the tow at the start [m]; in plane strain a metre.
+    /// Width of all surfaces of the body across the tow at the start [m]; in plane strain a metre.
     #[serde(default)]
     pub across: f64,
     /// Unit weight γ of the soil [N/m³]; 0 when it is weightless.
     pub unit_weight: f64,
     /// Rolling radius r [m]; `None` for a body that cannot roll.
     pub radius: Option<f64>,
-    /// Whether it moves along x or y, prescribed or free.
+    /// Whether the body moves along x or y, prescribed or free.
     pub towed: bool,
-    /// The direction of its tow.
+    /// Direction of the tow of the body.
     #[serde(default)]
     pub tow: TowDirection,
     /// Weight of the body against its tow along the slope of the ground [N], negative downhill; `None` where
@@ -102,7 +102,7 @@ pub struct Reference {
     /// any other.
     #[serde(default)]
     pub yaw_drive: f64,
-    /// Whether it rotates about its axle.
+    /// Whether the body rotates about its axle.
     pub turns: bool,
 }
 

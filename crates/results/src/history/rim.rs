@@ -41,15 +41,15 @@ pub struct RimHistory {
 /// defined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RimLine {
-    /// Polar angle of its middle about the axle from straight below [rad].
+    /// Polar angle of the middle of the bin about the axle from straight below [rad].
     pub angle: f64,
-    /// Distance of its middle from straight below along the outline [m].
+    /// Distance of the middle of the bin from straight below along the outline [m].
     pub arc: f64,
-    /// Its middle along x, from the reference point [m].
+    /// Position of the middle of the bin along x, from the reference point [m].
     pub x: f64,
-    /// Its middle along z [m].
+    /// Position of the middle of the bin along z, from the reference point [m].
     pub z: f64,
-    /// Area of its surface [m²].
+    /// Area of the surface of the bin [m²].
     pub area: f64,
     /// Fraction of area and time in contact.
     pub contact: f64,
@@ -57,19 +57,20 @@ pub struct RimLine {
     pub normal_stress: f64,
     /// Shear stress of the soil on the body along the outline [Pa].
     pub shear_along: f64,
-    /// The same along the axle [Pa].
+    /// Shear stress of the soil on the body along the axle [Pa].
     pub shear_lateral: f64,
-    /// The same along the axle, away from the mid-plane [Pa].
+    /// Shear stress of the soil on the body along the axle, away from the mid-plane [Pa].
     pub shear_outward: f64,
     /// Slip velocity of the body relative to the soil along the outline, while in contact [m/s].
     pub slip_along: f64,
-    /// The same along the axle [m/s].
+    /// Slip velocity of the body relative to the soil along the axle, while in contact [m/s].
     pub slip_lateral: f64,
-    /// The same along the axle, away from the mid-plane [m/s].
+    /// Slip velocity of the body relative to the soil along the axle, away from the mid-plane, while in
+    /// contact [m/s].
     pub slip_outward: f64,
     /// Friction over its limit, whatever its direction.
     pub mobilised: f64,
-    /// Its mean along the outline over its limit, with its sign.
+    /// Mean friction along the outline over the limit of friction, with its sign.
     pub mobilised_along: f64,
     /// Contribution to the drag [N].
     pub drag: f64,
@@ -82,13 +83,14 @@ pub struct RimLine {
 /// the soil sticks to the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SlipReversal {
-    /// Polar angle about the axle at which it begins, from straight below, positive towards the front [rad].
+    /// Polar angle about the axle at which the reversal begins, from straight below, positive towards the
+    /// front [rad].
     pub from_rad: f64,
-    /// Polar angle at which it ends [rad].
+    /// Polar angle at which the reversal ends [rad].
     pub to_rad: f64,
-    /// Arc along the outline at which it begins [m].
+    /// Arc along the outline at which the reversal begins [m].
     pub from_m: f64,
-    /// Arc at which it ends [m].
+    /// Arc at which the reversal ends [m].
     pub to_m: f64,
 }
 
@@ -106,7 +108,7 @@ pub struct RimPlace {
 pub struct RimAverage {
     /// Begin and end of the window [s].
     pub window: [f64; 2],
-    /// Its bins, in the order of their arcs, without those that lie outside the grid.
+    /// Bins of the rim, in the order of their arcs, without those that lie outside the grid.
     pub lines: Vec<RimLine>,
     /// Contribution of rim and flanks to the drag [N].
     pub drag: [f64; 2],

@@ -89,11 +89,11 @@ impl From<f64> for SteadyPart {
 pub struct SteadyWindow<'a> {
     /// The reference quantities of the body.
     pub reference: &'a Reference,
-    /// Its samples of the whole run.
+    /// Samples of the body over the whole run.
     pub samples: &'a [BodySample],
-    /// Which of them lie in the window.
+    /// Indices of the samples that lie in the window.
     pub range: Range<usize>,
-    /// Their means.
+    /// Means of these samples.
     pub steady: Steady,
 }
 

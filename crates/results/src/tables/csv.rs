@@ -53,7 +53,7 @@ pub struct HistoryNames {
 }
 
 impl HistoryNames {
-    /// Those of a history.
+    /// Names of bodies, parts and joints of a history.
     #[must_use]
     pub fn of(history: &History) -> Self {
         Self {
@@ -172,7 +172,8 @@ pub struct HistoryFiles {
     joints: Vec<HistoryFile>,
     energy: HistoryFile,
     boundaries: HistoryFile,
-    /// Only of a grid that travels, from its first line on.
+    /// History file of the ground that the grid has left; only of a grid that travels, from its first line
+    /// on.
     ground_left: Option<HistoryFile>,
     dir: PathBuf,
     references: Vec<Reference>,

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Check {
-    /// Its name, as in the table of limits.
+    /// Name of the check, as in the table of limits.
     pub name: String,
-    /// The body that it concerns, if it concerns one.
+    /// The body that the check concerns, if it concerns one.
     pub body: Option<String>,
     /// The figure, in the unit of the table of limits; `None` where it is not available.
     pub value: Option<f64>,

@@ -20,9 +20,9 @@ struct Shown {
     mean: f64,
     /// The limits of its noise and of its change.
     limits: [&'static Limit; 2],
-    /// What both are compared with, in its unit.
+    /// What noise and change are compared with, in the unit of the force or torque.
     scale: f64,
-    /// Whether it is meant to stay: that of a body that is pressed down grows with the depth.
+    /// Whether the force is meant to stay as it is: that of a body that is pressed down grows with the depth.
     is_steady: bool,
 }
 

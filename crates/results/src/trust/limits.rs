@@ -13,7 +13,7 @@ pub struct Limit {
     pub unit: &'static str,
     /// Limit of good: an upper bound, or a lower one where more is better.
     pub good: f64,
-    /// Limit of doubtful, beyond which it is broken; infinite for never broken.
+    /// Limit of doubtful, beyond which the run is broken; infinite for never broken.
     pub doubtful: f64,
     /// Whether larger is better.
     pub more_is_better: bool,

@@ -46,7 +46,7 @@ pub struct Setting {
     /// Rise of the pressure in a closed box over what the soil bears, per volume of a body that enters
     /// [1/m³]; `None` for open ground.
     pub pumped_per_volume: Option<f64>,
-    /// What no soil, body or tow has, each a sentence.
+    /// Everything that is unusual about the case, each a sentence.
     pub unusual: Vec<String>,
     /// The bodies, in the order of the case.
     pub bodies: Vec<BodySetting>,
@@ -56,28 +56,28 @@ pub struct Setting {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct BodySetting {
-    /// Its name.
+    /// Name of the body.
     pub name: String,
-    /// Smallest cell widths along the axes of its extent [m]; in plane strain the width of the body across.
+    /// Smallest cell widths along the axes of the extent [m]; in plane strain the width of the body across.
     pub cell: [f64; 3],
-    /// Its extent along its own axes [m]: that next to its tow (of what rolls, that in which it does), across
-    /// and upwards; `None` across the slab of plane strain.
+    /// Extent of the body along its own axes [m]: along the axis nearest to its tow (of a body that rolls,
+    /// along that in which it rolls), across and upwards; `None` across the slab of plane strain.
     pub extent: [Option<f64>; 3],
-    /// Its thickness across [m], less than the extent of a dished disc; `None` across the slab of plane
-    /// strain.
+    /// Thickness of the body across [m], less than the extent of a dished disc; `None` across the slab of
+    /// plane strain.
     pub thickness: Option<f64>,
     /// Diameter of a body that is round in the plane of the tow [m].
     pub diameter: Option<f64>,
-    /// Whether it moves vertically.
+    /// Whether the body moves vertically.
     pub heaves: bool,
-    /// Whether it is free to move vertically.
+    /// Whether the body is free to move vertically.
     pub heaves_freely: bool,
-    /// Whether it rotates freely.
+    /// Whether the body rotates freely.
     pub turns_freely: bool,
-    /// The axis about which a prescribed motion turns it: 0 for x (tilt), 1 for its axle (spin), 2 for z
-    /// (yaw).
+    /// The axis about which a prescribed motion turns the body: 0 for x (tilt), 1 for its axle (spin), 2 for
+    /// z (yaw).
     pub turned_about: Option<usize>,
-    /// Its volume [m³]; in plane strain that of a metre.
+    /// Volume of the body [m³]; in plane strain that of a metre.
     pub volume: f64,
 }
 

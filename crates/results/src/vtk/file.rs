@@ -19,7 +19,7 @@ const OFFSET: usize = 22;
 pub(super) struct DataArray<'a> {
     name: &'a str,
     components: usize,
-    /// How many numbers there are.
+    /// Number of numbers in the array.
     count: usize,
     numbers: Numbers<'a>,
 }
@@ -56,7 +56,7 @@ impl<'a> DataArray<'a> {
         Self { name, components: 1, count, numbers: Numbers::Integers(Box::new(numbers)) }
     }
 
-    /// What its tag says of it: kind, name, components.
+    /// Attributes of the array in its tag: kind, name, components.
     fn attributes(&self) -> String {
         let kind = match self.numbers {
             Numbers::Singles(_) => "Float32",
@@ -77,7 +77,7 @@ impl<'a> DataArray<'a> {
         tag
     }
 
-    /// Its tag, with the offset of its data behind the beginning of all data [bytes].
+    /// Tag of the array, with the offset of its data behind the beginning of all data [bytes].
     fn tag(&self, offset: u64) -> String {
         let attributes = self.attributes();
         format!("<{attributes} format=\"appended\" offset={:OFFSET$}/>\n", format!("\"{offset}\""))
@@ -165,13 +165,13 @@ impl<'w, W: Write> Blocks<'w, W> {
     }
 }
 
-/// What is inside a file's main element.
+/// The content of a file's main element.
 pub(super) struct Dataset<'a> {
     /// The main element: `RectilinearGrid`, `PolyData`.
     pub(super) kind: &'static str,
-    /// Its attributes.
+    /// Attributes of the main element.
     pub(super) extent: String,
-    /// Attributes of its only piece.
+    /// Attributes of the only piece of the main element.
     pub(super) piece: String,
     /// Time [s].
     pub(super) time: f64,

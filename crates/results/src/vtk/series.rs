@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug)]
 pub struct FieldSeries {
     dir: PathBuf,
-    /// Of soil, free surface and bodies, as in [`LISTS`].
+    /// Time lists of soil, free surface and bodies, as in [`LISTS`].
     frames: [Vec<TimedFile>; 3],
     next_frame: usize,
 }

@@ -39,7 +39,7 @@ pub(crate) fn find_bodies<R: Scalar>(
 pub(crate) fn bodies_at_search<R: Scalar>(model: &Model, state: &State<R>, crew: Crew) -> Vec<BodyCell> {
     /// Cells that a thread takes at once.
     const AT_ONCE: usize = 64;
-    // What bodies occupy high above the soil concerns nobody, and is most of a wheel.
+    // The part of a body high above the soil does not matter, and is most of a wheel.
     let top = top_of_soil(&model.grid, &state.soil).max(model.top_of_ground() - state.grid_position.z);
     let mut found = Vec::new();
     for (n, (fixed, body)) in model.bodies.iter().zip(&state.bodies).enumerate() {
@@ -62,7 +62,7 @@ pub(crate) struct BodyCell {
     pub(crate) body: usize,
     /// Index in memory.
     pub(crate) cell: usize,
-    /// Volume fraction of the body in it.
+    /// Volume fraction of the body in the cell.
     pub(crate) fraction: f64,
 }
 
@@ -97,7 +97,7 @@ fn top_of_soil<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
     faces[(highest + LAYERS_ABOVE_SOIL).min(faces.len() - 1)]
 }
 
-/// Those of some cells that a body occupies, wholly or in part: their indices in memory, and the volume
+/// The cells among some that a body occupies, wholly or in part: their indices in memory, and the volume
 /// fractions of the body.
 fn occupied<'a>(
     model: &'a Model,

@@ -25,7 +25,7 @@ const PRESSED_WITHIN: f64 = 0.1;
 pub(crate) struct Confined {
     /// Index in memory.
     cell: usize,
-    /// The body that occupies most of it.
+    /// The body that occupies most of the cell.
     body: usize,
     /// Compression after which soil and bodies fill the cell.
     strain: f64,
@@ -53,7 +53,7 @@ pub(crate) struct Pressed {
     pub(crate) cell: usize,
     /// Compression of the soil, with its gap.
     strain: f64,
-    /// The portion of it that closes the gap.
+    /// Portion of the compression that closes the gap.
     closed: f64,
     /// Pressure before the step [Pa].
     before: f64,
@@ -93,8 +93,8 @@ pub(crate) fn press<R: Scalar>(model: &Model, state: &mut State<R>, confined: &[
     pressed
 }
 
-/// Work done by it on the soil of the block's own cells [J], once this has been strained: with the mean of
-/// the pressures before and after the step, as nodal forces do theirs.
+/// Work of pressing done on the soil of the block's own cells [J], once this has been strained: with the mean
+/// of the pressures before and after the step, as nodal forces do theirs.
 pub(crate) fn work<R: Scalar>(model: &Model, soil: &Soil<R>, pressed: &[Pressed]) -> ExactSum {
     let (grid, mut work) = (&model.grid, ExactSum::default());
     for own in pressed.iter().filter(|own| grid.owns(grid.in_whole(grid.layers_of(own.cell)))) {

@@ -23,7 +23,7 @@ use rustc_hash::FxHashMap;
 pub(super) struct Constraint {
     /// The constraint's first contact point that is active, if there is one.
     pub(super) first: Option<usize>,
-    /// Mean Jacobian of its active points.
+    /// Mean Jacobian of the active points of the constraint.
     pub(super) jacobian: ContactJacobian,
     /// Area of the constraint's contact points [m²].
     pub(super) area: f64,

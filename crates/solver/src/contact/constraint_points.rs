@@ -11,7 +11,7 @@ pub(crate) struct ConstraintPoints {
 }
 
 impl ConstraintPoints {
-    /// From the number of the constraint of each contact point.
+    /// The points of all constraints, from the number of the constraint of each contact point.
     pub(super) fn new(number: Vec<usize>) -> Self {
         let Some(last) = number.iter().max() else { return Self::default() };
         let constraints = last + 1;

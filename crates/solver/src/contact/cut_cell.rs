@@ -27,14 +27,14 @@ const WHOLE: f64 = 0.75;
 /// A body's surface in one cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CellSurface {
-    /// Area that its contact points represent [m²].
+    /// Area that the contact points in the cell represent [m²].
     sampled: f64,
     /// Area of the surface in the cell [m²].
     area: f64,
 }
 
 impl CellSurface {
-    /// Whether the contact points represent most of it; at an edge they do not.
+    /// Whether the contact points represent most of the surface in the cell; at an edge they do not.
     pub(super) fn is_whole(&self) -> bool {
         // Three of four rows of points represent exactly this fraction: round-off must not decide.
         self.sampled > (WHOLE - 1e-6) * self.area

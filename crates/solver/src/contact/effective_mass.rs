@@ -18,8 +18,8 @@ pub(super) struct EffectiveMass {
 }
 
 impl EffectiveMass {
-    /// Of a constraint with this point among its active ones. `None` where neither soil nor body can move
-    /// along the normal: there is nothing to solve for.
+    /// The effective mass of a constraint with this point among its active ones. `None` where neither soil
+    /// nor body can move along the normal: there is nothing to solve for.
     pub(super) fn new(problem: &ContactProblem, constraint: &Constraint, point: usize) -> Option<Self> {
         let (jacobian, normal) = (&constraint.jacobian, constraint.jacobian.normal);
         let delassus_diagonal = delassus_diagonal(problem, jacobian);

@@ -11,12 +11,12 @@ const BEYOND: f64 = 1e-6;
 /// The bodies near to one body.
 pub(super) struct Neighbours<'a> {
     near: Vec<(&'a BodyModel, &'a Pose)>,
-    /// By how much a point is moved [m].
+    /// Distance by which a point is moved along its normal [m].
     beyond: f64,
 }
 
 impl<'a> Neighbours<'a> {
-    /// Those of body number `n`: the others whose boxes come within a cell of its own.
+    /// Neighbours of body number `n`: the others whose boxes come within a cell of its own.
     pub(super) fn of<R>(model: &'a Model, state: &'a State<R>, n: usize) -> Self {
         let cell = model.grid.finest();
         let (low, high) = model.bodies[n].bounds(state.pose(n));
@@ -29,7 +29,7 @@ impl<'a> Neighbours<'a> {
         Self { near: near.collect(), beyond: BEYOND * cell }
     }
 
-    /// Whether one of them covers a point of the surface [m].
+    /// Whether one of the neighbours covers a point of the surface [m].
     pub(super) fn cover(&self, point: DVec3, normal: DVec3) -> bool {
         let at = point + self.beyond * normal;
         self.near.iter().any(|(body, pose)| {

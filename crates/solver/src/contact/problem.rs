@@ -17,7 +17,7 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) contacts: &'a mut [Contact],
     /// The bodies during the step.
     pub(crate) moving: &'a mut Step,
-    /// Contact impulses on them so far.
+    /// The bodies, with the contact impulses on them so far.
     pub(crate) bodies: &'a mut [Body],
     /// Velocities of the contact nodes [m/s].
     pub(crate) velocity: &'a mut [DVec3],
@@ -52,7 +52,7 @@ pub(crate) const POINTS_AT_ONCE: usize = 128;
 pub(crate) struct ContactNode {
     /// Index in memory, if it is in this block.
     pub(crate) node: Option<usize>,
-    /// Whether this block owns it.
+    /// Whether this block owns the node.
     pub(crate) is_owned: bool,
     /// Velocity components that no boundary holds.
     pub(crate) is_free: [bool; 3],
@@ -142,7 +142,7 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// Records what they have exerted, as part of the normal impulses.
+    /// Records what the pore pressures have exerted, as part of the normal impulses.
     pub(crate) fn record_water(&mut self) {
         for n in 0..self.pore_pressures.len() {
             let water = self.water_impulse(n);

@@ -50,7 +50,7 @@ pub(crate) struct RimStress {
 }
 
 impl RimStress {
-    /// After a contact search.
+    /// The nodes behind the rims of all bodies after a contact search.
     pub(super) fn new<R>(model: &Model, state: &State<R>, surfaces: &[Surface], halo: &Halo) -> Self {
         let mut places = FxHashMap::default();
         let mut place_of = |c: &Contact| {

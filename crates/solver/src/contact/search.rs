@@ -102,7 +102,7 @@ struct View<'a, R> {
 }
 
 impl<R: Scalar> View<'_, R> {
-    /// Those points of a range that are contacts of a body.
+    /// The points of a range that are contacts of a body.
     fn search(
         &self,
         n: usize,

@@ -18,13 +18,13 @@ pub(crate) struct SlipTerms {
 /// A contact point that slips along the soil in a step.
 pub(super) struct Slipping<'a> {
     pub(super) contact: &'a Contact,
-    /// The area that it represents over that round it.
+    /// Area that the point represents over the area of the surface round it.
     pub(super) share: f64,
     /// The point's impulses on the soil, normal and frictional [N s].
     pub(super) impulses: &'a [DVec3; 2],
     /// The point's slip velocity [m/s].
     pub(super) slip: DVec3,
-    /// Direction of its body's axle.
+    /// Direction of the axle of the point's body.
     pub(super) axle: DVec3,
     /// Pore pressure [Pa].
     pub(super) pressure: f64,

@@ -41,13 +41,13 @@ pub(crate) struct ContactPoint {
     pub(crate) position: DVec3,
     /// Outward unit normal.
     pub(crate) normal: DVec3,
-    /// Area of the surface round it [m²].
+    /// Area of the surface round the point [m²].
     pub(crate) area: f64,
-    /// That with its share of the margins along the edges of its face [m²].
+    /// Area of the surface round the point and its share of the margins along the edges of its face [m²].
     pub(crate) represents: f64,
     /// Side of the body's mid-plane y = 0: 0 and 1, or 2 on the plane.
     pub(crate) side: u8,
-    /// Whether the next point is its mirror image in that plane.
+    /// Whether the next point is the mirror image of this one in the mid-plane.
     pub(crate) is_paired: bool,
 }
 

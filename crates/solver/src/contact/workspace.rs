@@ -40,7 +40,7 @@ pub(crate) struct ContactWorkspace {
     pub(crate) velocity: Vec<DVec3>,
     /// Inverse masses of the nodes along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
     pub(crate) inverse_mass: Vec<DVec3>,
-    /// For each contact point the indices of its cell's nodes among them.
+    /// For each contact point the indices of its cell's nodes among the contact nodes.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
     /// The contact points of each constraint.
     pub(crate) constraint_points: ConstraintPoints,
@@ -52,7 +52,7 @@ pub(crate) struct ContactWorkspace {
     pub(crate) impulses: Vec<[DVec3; 2]>,
     /// What each contact point adds to the sums over the rim in a step.
     pub(crate) terms: Vec<SlipTerms>,
-    /// By way of which nodes.
+    /// Nodes by way of which stress and slip are summed over the rim.
     pub(crate) rim_stress: RimStress,
     /// For each contact point the index in memory of the cell whose pore pressure acts there, if the block
     /// has it.

@@ -119,7 +119,7 @@ pub struct Throughput {
     load: f64,
     /// Load completed.
     done: f64,
-    /// Time taken for it [s].
+    /// Time taken for the load completed [s].
     seconds: f64,
 }
 

@@ -43,14 +43,14 @@ pub(crate) struct StageSums {
 }
 
 impl RowSums {
-    /// What all of the dissipation is [J].
+    /// Total dissipation [J].
     pub(crate) fn dissipated(&self) -> f64 {
         self.plastic + self.viscous + self.hourglass + self.seepage
     }
 }
 
 impl StageSums {
-    /// Over some rows.
+    /// Sums over some rows.
     pub(crate) fn of<'a>(rows: impl Iterator<Item = &'a RowSums>) -> Self {
         let mut sums = Self::default();
         for own in rows {
@@ -83,12 +83,12 @@ impl StageSums {
         self
     }
 
-    /// Begins to find those over the whole grid.
+    /// Begins to find the sums over the whole grid.
     pub(crate) fn begin_total(&self, halo: &Halo) {
         begin_over_blocks(halo, self.energies, &self.farthest);
     }
 
-    /// Those over the whole grid, from those of the block.
+    /// Sums over the whole grid, from those of the block.
     pub(crate) fn total(self, halo: &Halo) -> RowSums {
         let Self { energies, mut farthest, yields } = self;
         let ([plastic, viscous, hourglass, seepage, gravity, kinetic, pressing, beyond], largest) =

@@ -35,7 +35,7 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) costs: Vec<f64>,
     /// Whether a row of cells holds soil, in memory order.
     pub(crate) row_has_soil: Vec<bool>,
-    /// Whether it is strained: it holds soil, and nodes of this block lie beside it.
+    /// Whether a row of cells is strained: it holds soil, and nodes of this block lie beside it.
     pub(crate) row_is_strained: Vec<bool>,
     /// Number of the main material of each cell; empty where there is only one material.
     pub(crate) material: Vec<u8>,
@@ -88,9 +88,9 @@ pub(crate) struct PortionScratch<R: Scalar> {
     pub(crate) block: Box<R::CellBlock>,
     /// Sums over the portion's rows in the Lagrangian stage.
     pub(crate) sums: StageSums,
-    /// What its cells beyond boundaries at constant stress dissipate in the Lagrangian stage [J].
+    /// Dissipation of the portion's cells beyond boundaries at constant stress in the Lagrangian stage [J].
     pub(crate) dissipated_beyond: ExactSum,
-    /// Throughput of the thread to which it belongs.
+    /// Throughput of the thread to which the portion belongs.
     pub(crate) throughput: Throughput,
     /// Time by stage.
     pub(crate) stopwatch: Stopwatch,
@@ -119,12 +119,12 @@ impl<R: Scalar> PortionScratch<R> {
 pub(crate) struct Coefficients<R> {
     /// Row after row.
     pub(crate) values: Vec<R>,
-    /// Whether all are zero.
+    /// Whether all coefficients are zero.
     pub(crate) are_zero: bool,
 }
 
 impl<R: Copy> Coefficients<R> {
-    /// Copies those of another row.
+    /// Copies the coefficients of another row.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.values.copy_from_slice(&other.values);
         self.are_zero = other.are_zero;

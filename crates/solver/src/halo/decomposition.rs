@@ -8,7 +8,7 @@ use std::ops::Range;
 pub struct Decomposition {
     /// Layers of cells of the whole grid in each slab along y, and in each along z.
     slabs: [Vec<Range<usize>>; 2],
-    /// Those along x: rows are never cut.
+    /// Layers of cells of the whole grid along x: rows are never cut.
     columns: Range<usize>,
 }
 
@@ -17,7 +17,7 @@ pub struct Decomposition {
 pub struct Neighbour {
     /// Number of the neighbour's process.
     pub rank: usize,
-    /// Where it lies along y and z: −1 at the low end, 1 at the high end, 0 in the same layers.
+    /// Where the neighbour lies along y and z: −1 at the low end, 1 at the high end, 0 in the same layers.
     pub side: [i32; 2],
 }
 

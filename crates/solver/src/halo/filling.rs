@@ -21,7 +21,7 @@ pub(crate) enum At {
 pub(crate) struct Layers {
     /// Where the values are located.
     pub(crate) at: At,
-    /// How many layers, at most [`GHOSTS`].
+    /// Number of layers, at most [`GHOSTS`].
     pub(crate) depth: usize,
 }
 

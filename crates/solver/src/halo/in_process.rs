@@ -6,20 +6,20 @@ use crate::grid::Grid;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Barrier, Mutex, PoisonError};
 
-/// One of several.
+/// One of several communicators that are linked to each other in one process.
 #[derive(Debug)]
 pub struct InProcess {
     rank: usize,
-    /// To and from each of the others.
+    /// Links to and from each of the others.
     links: Vec<Option<Link>>,
     board: Arc<Board>,
-    /// Those with which an exchange has begun.
+    /// Communicators with which an exchange has begun.
     partners: Vec<usize>,
     gathered: Vec<f64>,
     reduced: (Vec<i64>, Vec<f64>),
 }
 
-/// To and from another.
+/// Channels to and from another communicator.
 type Link = (Sender<Vec<f64>>, Receiver<Vec<f64>>);
 
 /// Shared memory of the collective operations: one slot for each.
@@ -29,7 +29,7 @@ struct Board {
     barrier: Barrier,
 }
 
-/// So many communicators that are linked to each other.
+/// Communicators that are linked to each other, `count` of them.
 #[must_use]
 pub fn communicators(count: usize) -> Vec<InProcess> {
     let board = Arc::new(Board { slots: Mutex::new(vec![Vec::new(); count]), barrier: Barrier::new(count) });

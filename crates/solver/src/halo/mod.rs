@@ -116,11 +116,11 @@ impl Communicator for Alone {
 pub struct Traffic {
     /// Messages to neighbours.
     pub messages: u64,
-    /// Bytes in them.
+    /// Bytes in messages to neighbours.
     pub message_bytes: u64,
     /// Operations of all processes together.
     pub collectives: u64,
-    /// Bytes that this process has put into them.
+    /// Bytes that this process has put into operations of all processes together.
     pub collective_bytes: u64,
     /// Time spent on all this, waiting for others included [s].
     pub seconds: f64,
@@ -133,7 +133,7 @@ pub struct Halo {
     rank: usize,
     blocks: usize,
     neighbours: Vec<Neighbour>,
-    /// Numbers of blocks beyond it along y and z, at the low end and at the high end.
+    /// Numbers of blocks beyond this one along y and z, at the low end and at the high end.
     beyond: [[usize; 2]; 2],
 }
 
@@ -193,7 +193,7 @@ impl Halo {
         self.beyond[axis - 1]
     }
 
-    /// This communicator for a grid that is cut anew.
+    /// The communicator for a grid that is cut anew.
     ///
     /// # Panics
     /// If there are not as many processes as blocks.

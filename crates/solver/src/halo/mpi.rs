@@ -44,9 +44,9 @@ type Begins<T> = Request<'static, [T], StaticScope>;
 
 /// Operations that have begun. Dropping it waits for them.
 struct Begun<T: 'static> {
-    /// Those that receive. Declared, and dropped, before the memory that they write.
+    /// Operations that receive. Declared, and dropped, before the memory that they write.
     receives: Vec<WaitGuard<'static, [T]>>,
-    /// Those that send. They may go on after all has been received: until then a process would wait for
+    /// Operations that send. These may go on after all has been received: until then a process would wait for
     /// others to receive what they do not need yet.
     sends: Vec<WaitGuard<'static, [T]>>,
     sent: Vec<Vec<T>>,
@@ -91,7 +91,7 @@ impl<T: Copy + Default> Begun<T> {
     fn begin_to_write(&mut self, n: usize, begin: impl FnOnce(&'static mut [T]) -> Begins<T>) {
         let received = &mut self.received[n];
         let (start, length) = (received.as_mut_ptr(), received.len());
-        // SAFETY: the same with `receives`, and nobody else has a reference to it.
+        // SAFETY: the same with `receives`, and no one else has a reference to it.
         self.receives.push(WaitGuard::from(begin(unsafe { std::slice::from_raw_parts_mut(start, length) })));
     }
 

@@ -16,7 +16,7 @@ pub const USUAL_RESPONSES: [&str; 3] = ["drag", "vertical", "sinkage"];
 /// The groups of a collapse that every study with them gets: y, x.
 const COLLAPSE: [&str; 2] = ["F_H_bar", "Z"];
 
-/// What a study says.
+/// The analysis of a study.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Analysis {
     /// Charts. Names are unique.

@@ -5,7 +5,7 @@ use crate::table::Table;
 /// A table with its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedTable {
-    /// Name of its file, without ending.
+    /// Name of the file of the table, without ending.
     pub name: String,
     /// Title.
     pub title: String,

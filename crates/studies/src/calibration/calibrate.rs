@@ -23,11 +23,11 @@ pub enum ModelChoice {
     ClosedForm,
     /// The solver.
     Solver,
-    /// Both, the closed form first.
+    /// Both models, the closed form first.
     Both,
 }
 
-/// What is asked for.
+/// The request for a calibration.
 #[derive(Clone, Debug)]
 pub struct Request<'a> {
     /// The case file.
@@ -38,7 +38,7 @@ pub struct Request<'a> {
     pub space: Space,
     /// The measurements.
     pub records: Vec<Record>,
-    /// How curves are taken from them.
+    /// How curves are taken from the measurements.
     pub selection: Selection,
     /// The model.
     pub model: ModelChoice,
@@ -69,7 +69,7 @@ impl Request<'_> {
     }
 }
 
-/// What came out.
+/// The result of a calibration.
 #[derive(Clone, Debug)]
 pub struct Calibration {
     /// Points of the measurements that were not fitted.
@@ -78,7 +78,7 @@ pub struct Calibration {
     pub closed: Option<Stage>,
     /// The solver.
     pub solver: Option<SolverStage>,
-    /// What is to be said of how the measurements were read.
+    /// Remarks on how the measurements were read.
     pub remarks: Vec<String>,
 }
 
@@ -99,7 +99,7 @@ pub enum CalibrationError {
     /// The request cannot be met; says what to do instead.
     #[error("{0}")]
     Request(String),
-    /// A signal stopped it; what was run stays.
+    /// A signal stopped the calibration; what was run stays.
     #[error("stopped")]
     Stopped(i32),
 }

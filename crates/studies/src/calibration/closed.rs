@@ -82,7 +82,7 @@ impl ClosedResponse {
         forms.into_iter().enumerate().map(of).collect()
     }
 
-    /// The response of these models.
+    /// The response of the models of all measurements.
     #[must_use]
     pub fn new(
         case: &Path,
@@ -102,7 +102,7 @@ impl ClosedResponse {
         response
     }
 
-    /// What to call it.
+    /// Name of the model.
     #[must_use]
     pub fn name(&self) -> String {
         self.models.first().map_or_else(String::new, |(model, _)| model.candidate.name().to_owned())

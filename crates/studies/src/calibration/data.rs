@@ -7,13 +7,13 @@ use coulter::history::blocks::{block_averages, standard_error};
 /// One curve: values of a quantity along an abscissa, or one steady mean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredCurve {
-    /// Which measurement it is from.
+    /// Number of the measurement that the curve is from.
     pub record: usize,
     /// Name of the curve, for people.
     pub name: String,
-    /// What was measured.
+    /// The quantity that was measured.
     pub quantity: Quantity,
-    /// Along what; `None` for the steady mean of a tow.
+    /// The quantity along which the curve runs; `None` for the steady mean of a tow.
     pub abscissa: Option<Quantity>,
     /// Places along the abscissa, in SI units; one for a steady mean: the middle of the window.
     pub at: Vec<f64>,
@@ -56,7 +56,8 @@ pub struct Taken {
     pub left_out: Vec<LeftOut>,
 }
 
-/// For abscissae of a measurement why a model says nothing there: its number, along what, where.
+/// For the abscissae of a measurement why a model says nothing there: from the number of the measurement, the
+/// quantity along which they run, and the abscissae.
 pub type Judge<'a> = dyn Fn(usize, Quantity, &[f64]) -> Vec<Option<String>> + 'a;
 
 impl Selection {

@@ -17,16 +17,16 @@ pub struct Seen {
     pub values: Vec<f64>,
     /// Errors that points have in common: each a list of standard deviations, one for each point.
     pub shared: Vec<Vec<f64>>,
-    /// Variances of its own errors; empty for none.
+    /// Variances of the model's own errors; empty for none.
     pub variances: Vec<f64>,
 }
 
 /// What is calibrated: a model, or its surrogate.
 pub trait Response {
-    /// What it says at values of the unknowns.
+    /// The values that the model gives for values of the unknowns.
     ///
     /// # Errors
-    /// Why it says nothing there.
+    /// Why the model has no values there.
     fn at(&self, values: &[f64]) -> Result<Seen, String>;
 }
 
@@ -59,7 +59,7 @@ impl Noise {
 pub struct Likelihood {
     /// The unknowns.
     pub space: Space,
-    /// What was measured.
+    /// The measured curves.
     pub curves: Vec<MeasuredCurve>,
     /// The noise.
     pub noise: Noise,
@@ -87,7 +87,7 @@ impl Likelihood {
         self.curves.iter().map(|curve| curve.values.len()).sum()
     }
 
-    /// What was measured, as residuals see it.
+    /// The measured values, as residuals see them.
     #[must_use]
     pub fn measured(&self) -> Vec<f64> {
         let seen = |curve: &MeasuredCurve| {

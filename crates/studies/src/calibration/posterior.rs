@@ -4,7 +4,7 @@ use super::likelihood::Likelihood;
 use super::sampler::{Chains, covariance};
 use numerics::quantile_of_sorted;
 
-/// One unknown afterwards, in its unit.
+/// One unknown after the calibration, in its unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marginal {
     /// Name of the unknown.
@@ -22,7 +22,7 @@ pub struct Marginal {
     /// Width of the interval over that of the prior's own 90 % interval, in the coordinates in which that is
     /// spread evenly or normally.
     pub width: f64,
-    /// R̂ of its chains.
+    /// R̂ of the chains.
     pub reduction: f64,
     /// Effective number of draws.
     pub effective: f64,
@@ -40,7 +40,7 @@ pub struct Advice {
 /// The posterior distribution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Posterior {
-    /// Each unknown.
+    /// The distribution of each unknown.
     pub marginals: Vec<Marginal>,
     /// Correlations of the coordinates of unknowns.
     pub correlations: Vec<Vec<f64>>,
@@ -62,7 +62,7 @@ const REDUCTION: f64 = 1.1;
 const KEPT: usize = 2000;
 
 impl Posterior {
-    /// From the best coordinates and samples of a density.
+    /// The posterior from the best coordinates and samples of a density.
     pub(super) fn of(likelihood: &Likelihood, best: &[f64], chains: &Chains) -> Self {
         let space = &likelihood.space;
         let all: Vec<&Vec<f64>> = chains.all().collect();

@@ -7,9 +7,9 @@ use numerics::distribution::NORMAL_95;
 pub enum Prior {
     /// Even between two values.
     Even {
-        /// The lower one.
+        /// The lower end.
         low: f64,
-        /// The higher one.
+        /// The higher end.
         high: f64,
     },
     /// Normal.
@@ -73,19 +73,19 @@ impl Prior {
         [-half, half]
     }
 
-    /// The width of its own 90 % interval, in coordinates.
+    /// Width of the 90 % interval of the prior, in coordinates.
     #[must_use]
     pub fn width(&self) -> f64 {
         if let Self::Even { .. } = self { 0.9 * EVEN } else { 2.0 * NORMAL_95 }
     }
 
-    /// Whether it is a normal one in the coordinates, which contributes to a sum of squares.
+    /// Whether the prior is normal in the coordinates, which contributes to a sum of squares.
     #[must_use]
     pub fn is_normal(&self) -> bool {
         !matches!(self, Self::Even { .. })
     }
 
-    /// As it may be typed, with the unit.
+    /// The prior as it may be typed, with the unit.
     #[must_use]
     pub fn text(&self, unit: &str) -> String {
         let blank = if unit.is_empty() { "" } else { " " };

@@ -19,9 +19,9 @@ use xxhash_rust::xxh3::xxh3_64;
 /// How a run of the solver at values of the unknowns went.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RunOutcome {
-    /// It has the curves: values as residuals see them.
+    /// The curves of the run: values as residuals see them.
     Curves(Vec<f64>),
-    /// It is broken, or its curves do not reach where was measured.
+    /// The run is broken, or its curves do not reach where was measured.
     Failed(String),
     /// The case refuses the values; nothing was run.
     Refused(String),
@@ -32,11 +32,11 @@ pub enum RunOutcome {
 pub struct SolverPoint {
     /// Values of the unknowns.
     pub values: Vec<f64>,
-    /// Folders of its runs, one for each measurement with keys of its own.
+    /// Folders of the runs at the point, one for each measurement with keys of its own.
     pub folders: Vec<PathBuf>,
-    /// What came out.
+    /// Outcome of the runs.
     pub outcome: RunOutcome,
-    /// The worst grade of its runs.
+    /// The worst grade of the runs.
     pub verdict: Option<Verdict>,
 }
 
@@ -46,7 +46,7 @@ pub enum SolverError {
     /// The case is wrong.
     #[error(transparent)]
     Case(#[from] CaseError),
-    /// A signal stopped it.
+    /// A signal stopped the solver.
     #[error("stopped")]
     Stopped(i32),
     /// A folder or a file; says what to do.
@@ -65,7 +65,7 @@ pub struct Solver<'a> {
     pub space: &'a Space,
     /// The measurements.
     pub records: &'a [Record],
-    /// What is taken from each run.
+    /// The measured curves that are taken from each run.
     pub curves: &'a [MeasuredCurve],
     /// Where the folders of the runs lie.
     pub folder: &'a Path,

@@ -21,7 +21,7 @@ const NEAR: f64 = 0.15;
 /// Samples of each chain while the design is refined.
 const QUICK: usize = 300;
 
-/// What the solver gave.
+/// The result of the solver.
 #[derive(Clone, Debug)]
 pub struct SolverStage {
     /// The calibration of the surrogate.
@@ -34,7 +34,8 @@ pub struct SolverStage {
     pub components: usize,
     /// The curves of the run at the best values, as residuals see them; `None` where it failed.
     pub verified: Option<Vec<f64>>,
-    /// The largest difference between these and the surrogate, over the surrogate's own error there.
+    /// Largest difference between the run at the best values and the surrogate, over the surrogate's own
+    /// error there.
     pub surprise: Option<f64>,
 }
 

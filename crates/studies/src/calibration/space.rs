@@ -17,7 +17,7 @@ pub struct Unknown {
 }
 
 impl Unknown {
-    /// Whether it is a key of the case.
+    /// Whether the unknown is a key of the case.
     #[must_use]
     pub fn is_key(&self) -> bool {
         self.name.contains('.')

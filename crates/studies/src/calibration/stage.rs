@@ -15,26 +15,26 @@ const FAR: f64 = 3.0;
 /// A curve at the best values, and the band of the posterior: values [SI] at the points of the measurement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
-    /// At the best values.
+    /// Values at the best values of the unknowns [SI].
     pub best: Vec<f64>,
     /// 5 % quantile over the posterior.
     pub low: Vec<f64>,
-    /// 95 % quantile.
+    /// 95 % quantile over the posterior.
     pub high: Vec<f64>,
 }
 
-/// What came out.
+/// The result of a stage.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
     /// The model, for people.
     pub model: String,
     /// The best values, in the units of the unknowns.
     pub best: Vec<f64>,
-    /// What is known afterwards.
+    /// The posterior of the unknowns.
     pub posterior: Posterior,
-    /// What was fitted.
+    /// The curves that were fitted.
     pub curves: Vec<MeasuredCurve>,
-    /// The model's values of these curves.
+    /// The model's values of the fitted curves.
     pub bands: Vec<Band>,
     /// The sum of the squared residuals at the best values over their noise.
     pub squares: f64,

@@ -50,7 +50,7 @@ fn inflation(process: &GaussianProcess, amounts: &[f64]) -> f64 {
 }
 
 impl Surrogate {
-    /// From curves, as residuals see them, at values of the unknowns.
+    /// A surrogate from curves, as residuals see them, at values of the unknowns.
     ///
     /// # Errors
     /// [`StatisticsError`] where there are too few, or none varies.
@@ -91,7 +91,8 @@ impl Surrogate {
         Ok(Self { space: space.clone(), left: (0..length).map(left).collect(), mean, components })
     }
 
-    /// The least predictivity Q² of its components that matter: 1 is perfect, 0 no better than their mean.
+    /// The least predictivity Q² of the components of the surrogate that matter: 1 is perfect, 0 no better
+    /// than their mean.
     #[must_use]
     pub fn predictivity(&self) -> f64 {
         self.components.first().map_or(0.0, |component| component.process.predictivity())
@@ -103,7 +104,7 @@ impl Surrogate {
         self.components.len()
     }
 
-    /// The standard deviation of its error at values, the mean over the points.
+    /// Standard deviation of the surrogate's error at values, the mean over the points.
     #[must_use]
     pub fn error_at(&self, values: &[f64]) -> f64 {
         let seen = self.seen(values);

@@ -21,7 +21,7 @@ const SOLVER: &str = "solver";
 pub struct ToldFigure {
     /// The figure, with labels and scales of its columns.
     pub figure: Figure,
-    /// What is said below it; may contain subscripts: `F_H`.
+    /// Caption below the figure; may contain subscripts: `F_H`.
     pub caption: String,
 }
 

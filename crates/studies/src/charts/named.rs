@@ -3,11 +3,11 @@
 /// A chart of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedChart {
-    /// Name of its file, without ending: letters, digits and underscores.
+    /// Name of the file of the chart, without ending: letters, digits and underscores.
     pub name: String,
     /// Title, which stands above the picture.
     pub title: String,
-    /// What is said below it; may contain subscripts: `F_H`.
+    /// Caption below the chart; may contain subscripts: `F_H`.
     pub caption: String,
     /// The picture as SVG text.
     pub svg: String,

@@ -3,7 +3,7 @@
 /// A chart that a study asks for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ChartRequest {
-    /// Name of its file; made from the columns where it is empty.
+    /// Name of the file of the chart; made from the columns where it is empty.
     pub name: String,
     /// Name of the column of the x axis, of numbers or of words.
     pub x: String,

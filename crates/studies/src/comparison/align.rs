@@ -15,11 +15,11 @@ const ROUNDS: usize = 4;
 pub struct Aligned {
     /// The abscissae, of the reference [SI].
     pub at: Vec<f64>,
-    /// The reference there.
+    /// Values of the reference at the abscissae.
     pub reference: Vec<f64>,
-    /// The other curve there.
+    /// Values of the other curve at the abscissae.
     pub other: Vec<f64>,
-    /// What was added to the abscissae of the other curve [SI]; 0 unless asked for.
+    /// Shift that was added to the abscissae of the other curve [SI]; 0 unless asked for.
     pub shift: f64,
 }
 

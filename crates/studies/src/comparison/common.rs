@@ -7,7 +7,7 @@ use crate::sheet::short;
 /// Remarks on the items that do not share anything with the reference.
 ///
 /// # Errors
-/// The same where none shares anything: there is nothing to compare.
+/// What to say where no items share anything: there is nothing to compare.
 pub(super) fn in_common(
     items: &[Item],
     (reference, against): (usize, Quantity),

@@ -9,19 +9,19 @@ use super::steady::{SteadyMean, steady_mean};
 use crate::measured::Quantity;
 use crate::sources::{LeftOut, place, rising};
 
-/// What is asked for.
+/// The request for a comparison.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ComparisonRequest {
     /// The number of the item that is the reference; `None` for the first measurement, otherwise the first
     /// item.
     pub reference: Option<usize>,
-    /// Along what; `None` for what the reference runs along.
+    /// The quantity along which curves run; `None` for that of the reference.
     pub against: Option<Quantity>,
-    /// What is compared; empty for all that the reference and another have.
+    /// Quantities to compare; empty for all that the reference and another item have.
     pub quantities: Vec<Quantity>,
     /// The part of the abscissa that counts [SI].
     pub window: Option<[f64; 2]>,
-    /// Whether the zero of the abscissa of the others is moved to where they fit best.
+    /// Whether the zero of the abscissa of the other items is moved to where they fit best.
     pub align: bool,
 }
 
@@ -30,7 +30,7 @@ pub struct ComparisonRequest {
 pub struct Compared {
     /// The number of the item.
     pub item: usize,
-    /// What is compared.
+    /// The quantity that is compared.
     pub quantity: Quantity,
     /// Whole curve of the item, moved with the shift.
     pub curve: Vec<[f64; 2]>,
@@ -42,8 +42,8 @@ pub struct Compared {
     pub left_out: Vec<LeftOut>,
     /// Steady mean of the item.
     pub mean: Option<SteadyMean>,
-    /// Whether this and that of the reference have a value in common within their 90 % intervals; `None`
-    /// where neither has one.
+    /// Whether the steady mean of the item and that of the reference have a value in common within their 90 %
+    /// intervals; `None` where neither has one.
     pub overlaps: Option<bool>,
 }
 
@@ -52,14 +52,13 @@ pub struct Compared {
 pub struct Comparison {
     /// The number of the reference.
     pub reference: usize,
-    /// Along what.
+    /// The quantity along which curves run.
     pub against: Quantity,
-    /// What was compared, each with the curve of the reference and its steady mean.
+    /// Quantities that were compared, each with the curve of the reference and its steady mean.
     pub quantities: Vec<(Quantity, Vec<[f64; 2]>, Option<SteadyMean>)>,
     /// Every other item beside the reference.
     pub compared: Vec<Compared>,
-    /// What is to be said of how files were read, and of items that have nothing in common with the
-    /// reference.
+    /// Remarks on how files were read, and on items that have nothing in common with the reference.
     pub remarks: Vec<String>,
 }
 

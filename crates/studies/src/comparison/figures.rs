@@ -28,7 +28,7 @@ pub struct Differences {
     pub correlation: Option<f64>,
     /// Peak of the reference within the range.
     pub peak_reference: Peak,
-    /// Peak of the other.
+    /// Peak of the other curve.
     pub peak_other: Peak,
 }
 

@@ -12,7 +12,7 @@ use coulter::output::{FileError, Inside, Summary};
 use serde_json::Value;
 use std::path::Path;
 
-/// What an item is.
+/// Kind of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ItemKind {
     /// A run of the solver.
@@ -43,17 +43,17 @@ impl ItemKind {
 pub struct Item {
     /// Name of the item: the path as typed, and the model of a closed form.
     pub name: String,
-    /// What it is.
+    /// Kind of the item.
     pub kind: ItemKind,
     /// Curves of the item; empty of a forecast and a closed form.
     pub record: Record,
-    /// Steady means that it states itself.
+    /// Steady means that the item states itself.
     pub means: Vec<(Quantity, SteadyMean)>,
     /// The closed forms, of a case file.
     pub forms: Option<ClosedForms>,
-    /// The one of them that is compared; `None` until [`Item::settle`].
+    /// The closed form that is compared; `None` until [`Item::settle`].
     pub model: Option<ClosedForm>,
-    /// What makes its results dimensionless, of a run and of a case.
+    /// Reference quantities that make results of the item dimensionless, of a run and of a case.
     pub reference: Option<Reference>,
 }
 
@@ -229,7 +229,7 @@ impl Item {
         (if points.len() >= 2 { points } else { Vec::new() }, Vec::new())
     }
 
-    /// The steady mean that it states itself.
+    /// The steady mean that the item states itself.
     #[must_use]
     pub fn stated(&self, quantity: Quantity) -> Option<SteadyMean> {
         self.means.iter().find(|(known, _)| *known == quantity).map(|(_, mean)| *mean)

@@ -8,7 +8,7 @@ use numerics::distribution::student_95;
 pub struct SteadyMean {
     /// The mean [SI].
     pub mean: f64,
-    /// Half of its 90 % interval [SI], where that is known.
+    /// Half of the 90 % interval of the mean [SI], where that is known.
     pub half: Option<f64>,
 }
 

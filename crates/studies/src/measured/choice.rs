@@ -9,7 +9,7 @@ use coulter::case::table_file::{TableColumn, plain_name};
 pub struct ColumnChoice {
     /// The column: its title, its name without the unit, or its number.
     column: String,
-    /// What it is; `None` to leave it out.
+    /// Meaning of the column; `None` to leave it out.
     pub(super) meaning: Option<ChosenMeaning>,
 }
 
@@ -71,12 +71,12 @@ impl ColumnChoice {
         Ok(Self { column: column.to_owned(), meaning: Some(meaning) })
     }
 
-    /// Whether it speaks of a column, the `n`-th of its file.
+    /// Whether the choice speaks of a column, the `n`-th of its file.
     pub(super) fn is_of(&self, column: &TableColumn, n: usize) -> bool {
         self.is_titled(&column.title) || self.column == (n + 1).to_string()
     }
 
-    /// Whether it speaks of a column of this title, with or without its unit.
+    /// Whether the choice speaks of a column of this title, with or without its unit.
     pub(super) fn is_titled(&self, title: &str) -> bool {
         let bare = title.split(['[', '(']).next().unwrap_or_default();
         let is = |name: &str| plain_name(name) == plain_name(&self.column) && !plain_name(name).is_empty();

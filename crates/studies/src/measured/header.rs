@@ -12,7 +12,7 @@ use coulter::history::columns::{FILTERED, FORCES};
 pub(super) enum Content {
     /// Values of a quantity.
     Values(Values),
-    /// Standard deviations of it; how many SI units the unit of the column is.
+    /// Standard deviations of a quantity; how many SI units the unit of the column is.
     Deviations(Quantity, f64),
     /// A column that curves do not need, or that is not known.
     Ignored,
@@ -24,7 +24,7 @@ pub(super) struct Values {
     pub(super) quantity: Quantity,
     /// How many SI units the unit of the column is; negative where it counts the other way.
     pub(super) factor: f64,
-    /// What they are parts of, of a dimensionless column.
+    /// The reference of which the values are parts, of a dimensionless column.
     pub(super) group: Option<Group>,
     pub(super) sign: Sign,
 }
@@ -32,9 +32,9 @@ pub(super) struct Values {
 /// Which way a column counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sign {
-    /// As its values show.
+    /// The sign follows from the values.
     Open,
-    /// As was said, or as a run writes it.
+    /// The sign was stated, or is that of a column which a run writes.
     Stated,
     /// Upwards, of a depth: a height.
     Height,
@@ -198,7 +198,7 @@ fn chosen(choice: &ColumnChoice, column: &TableColumn) -> Result<Option<Content>
     }))
 }
 
-/// Whether it is a column of `forces.csv` or `filtered.csv`.
+/// Whether a column is one of `forces.csv` or `filtered.csv`.
 fn is_of_a_run(name: &str) -> bool {
     let mut known = FORCES.iter().chain(FILTERED).map(|column| column.name);
     known.any(|column| column == name)

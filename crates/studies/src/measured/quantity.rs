@@ -216,13 +216,13 @@ impl Quantity {
         format!("{} [{}]", self.name(), self.unit())
     }
 
-    /// Whether curves run along it: time, displacement, sinkage, slip.
+    /// Whether curves run along the quantity: time, displacement, sinkage, slip.
     #[must_use]
     pub fn is_abscissa(self) -> bool {
         self <= Self::Slip
     }
 
-    /// Whether it is a force, a torque or a pressure.
+    /// Whether the quantity is a force, a torque or a pressure.
     #[must_use]
     pub fn is_load(self) -> bool {
         (Self::Drag..=Self::Pressure).contains(&self)
@@ -243,7 +243,7 @@ impl Quantity {
         unit_size(unit, &measure)
     }
 
-    /// A unit in which it may be given, for messages.
+    /// A unit in which the quantity may be given, for messages.
     #[must_use]
     pub fn example(self) -> &'static str {
         match self.entry().measure {

@@ -4,7 +4,7 @@ use super::Quantity;
 use coulter::case::quantity::plain;
 use coulter::history::reference::Reference;
 
-/// What a dimensionless column is a part of.
+/// The reference of which a dimensionless column is a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
     /// The reference length d of the body.
@@ -16,24 +16,24 @@ pub enum Group {
 /// A column of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
-    /// What it is.
+    /// Quantity of the column.
     pub quantity: Quantity,
     /// Values of the channel, in SI units.
     pub values: Vec<f64>,
     /// Standard deviations of the values, in the same unit, where they are known.
     pub deviations: Option<Vec<f64>>,
-    /// What its values are parts of, of a dimensionless column that was not scaled yet.
+    /// The reference of which the values are parts, of a dimensionless column that was not scaled yet.
     pub group: Option<Group>,
-    /// What its file calls it; empty of a run.
+    /// Title of the column in its file; empty of a run.
     pub title: String,
-    /// Whether its sign was stated, so that it is not to be doubted.
+    /// Whether the sign of the column was stated, so that it is not to be doubted.
     pub is_stated: bool,
 }
 
 /// Columns of equal length, in SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// What to call it: the path of a file or a folder.
+    /// Name of the record: the path of a file or a folder.
     pub name: String,
     /// Columns of the record.
     pub channels: Vec<Channel>,
@@ -41,9 +41,9 @@ pub struct Record {
     pub settings: Vec<String>,
     /// The line of the file of each row; empty of what is no file.
     pub lines: Vec<usize>,
-    /// What the columns of its file are called; empty of a run.
+    /// Titles of the columns in the file; empty of a run.
     pub titles: Vec<String>,
-    /// What is to be said of how its file was read.
+    /// Remarks on how the file was read.
     pub remarks: Vec<String>,
 }
 
@@ -131,7 +131,8 @@ impl Record {
         self.channels.first().map_or(0, |channel| channel.values.len())
     }
 
-    /// The quantities along which it has a curve, in the order in which they are preferred as an abscissa.
+    /// The quantities along which the record has a curve, in the order in which they are preferred as an
+    /// abscissa.
     pub fn abscissae(&self) -> impl Iterator<Item = Quantity> + '_ {
         const PREFERRED: [Quantity; 4] =
             [Quantity::Slip, Quantity::Displacement, Quantity::Sinkage, Quantity::Time];

@@ -20,7 +20,7 @@ pub fn sign_of(values: &[f64]) -> Option<f64> {
 }
 
 impl Values {
-    /// Whether its sign was stated.
+    /// Whether the sign of the values was stated.
     pub(super) fn is_stated(&self) -> bool {
         self.sign == Sign::Stated
     }

@@ -15,7 +15,7 @@ pub struct Gap {
     pub reason: String,
     /// Number of the cases.
     pub count: usize,
-    /// Which they are, by the keys of the table: `point 3, point 7 and 12 more`.
+    /// The cases by the keys of the table: `point 3, point 7 and 12 more`.
     pub which: String,
 }
 

@@ -20,11 +20,11 @@ pub struct PageError(#[from] minijinja::Error);
 pub struct PageFigure {
     /// The figure.
     pub chart: NamedChart,
-    /// Whether it is two columns wide.
+    /// Whether the figure is two columns wide.
     pub is_wide: bool,
 }
 
-/// What stands on the page.
+/// The content of the page.
 #[derive(Clone, Debug, Default)]
 pub struct Page {
     /// Title.
@@ -39,7 +39,7 @@ pub struct Page {
     pub gaps: Vec<Gap>,
     /// Warnings, shown above everything else but the gaps.
     pub warnings: Vec<String>,
-    /// What could not be computed.
+    /// Remarks on what could not be computed.
     pub remarks: Vec<String>,
     /// Figures for print, with their files in the folder `figures` beside the page.
     pub figures: Vec<PageFigure>,

@@ -23,7 +23,7 @@ pub(super) struct ShownTable {
 #[derive(Clone, Debug, Serialize)]
 struct ShownRow {
     cells: Vec<String>,
-    /// Whether its figures are in no mean, chart or index.
+    /// Whether the figures of the row are in no mean, chart or index.
     unused: bool,
 }
 
@@ -31,7 +31,7 @@ struct ShownRow {
 #[derive(Clone, Debug, Serialize)]
 struct ShownColumn {
     label: String,
-    /// Whether it is set to the right.
+    /// Whether the column is set to the right.
     number: bool,
 }
 

@@ -56,7 +56,7 @@ pub struct ClosedForms {
 }
 
 impl ClosedForms {
-    /// Those of a case, or the one of that name.
+    /// The closed forms of a case, or the one of that name.
     ///
     /// # Errors
     /// Why there is none, in words.
@@ -80,8 +80,8 @@ impl ClosedForms {
         self.input.towing.pressed
     }
 
-    /// The one that applies at most of the points, the best of them where several do: each point is judged
-    /// for itself, whatever the case itself prescribes.
+    /// The closed form that applies at most of the points, the best of them where several do: each point is
+    /// judged for itself, whatever the case itself prescribes.
     ///
     /// # Errors
     /// Why none applies at any of them, in words.
@@ -133,7 +133,7 @@ pub struct ClosedForm {
 }
 
 impl ClosedForm {
-    /// This model for another case: other values of keys.
+    /// The model for another case: other values of keys.
     ///
     /// # Errors
     /// Why there is none, in words.

@@ -12,9 +12,9 @@ pub struct LeftOut {
     pub lines: Vec<usize>,
     /// The abscissae [SI].
     pub at: Vec<f64>,
-    /// What the abscissae are.
+    /// The quantity of the abscissae.
     pub abscissa: Quantity,
-    /// Why.
+    /// Why the points were left out.
     pub why: String,
 }
 

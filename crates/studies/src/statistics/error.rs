@@ -10,7 +10,7 @@ pub enum StatisticsError {
         points: usize,
         /// Number of factors asked for.
         factors: usize,
-        /// What to do about it.
+        /// What to do about the design.
         cure: String,
     },
     /// Not enough points.
@@ -28,9 +28,9 @@ pub enum StatisticsError {
     Shape {
         /// Number of the point, from 0.
         point: usize,
-        /// What it has.
+        /// Number of coordinates or values of the point.
         given: usize,
-        /// What it should have.
+        /// Number of coordinates or values that is expected.
         expected: usize,
     },
     /// A number that is not finite.

@@ -23,7 +23,7 @@ const ROUNDING: f64 = 1e-20;
 pub struct Index {
     /// Estimate of the index [–].
     pub value: f64,
-    /// Lower and upper end of its 90 % interval [–].
+    /// Lower and upper end of the 90 % interval of the index [–].
     pub interval: [f64; 2],
 }
 

@@ -25,7 +25,7 @@ pub struct Swing {
     pub factor: usize,
     /// Low and high end of the factor, in its unit.
     pub ends: [f64; 2],
-    /// The response at these ends, in its unit.
+    /// The response at the ends of the factor, in the unit of the response.
     pub responses: [f64; 2],
 }
 
@@ -34,9 +34,9 @@ pub struct Swing {
 pub struct Tornado {
     /// The response at the base point, or its mean over all points.
     pub base: f64,
-    /// One for each factor that varies.
+    /// One swing for each factor that varies.
     pub swings: Vec<Swing>,
-    /// Where they come from.
+    /// Where the swings come from.
     pub source: SwingSource,
 }
 

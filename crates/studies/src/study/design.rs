@@ -27,7 +27,7 @@ impl Design {
         named.map_or(Self::Grid, |(_, design)| design)
     }
 
-    /// Whether its points fill the ranges of the factors instead of their levels.
+    /// Whether the points of the design fill the ranges of the factors instead of their levels.
     #[must_use]
     pub fn fills_space(self) -> bool {
         matches!(self, Self::LatinHypercube | Self::Sobol)

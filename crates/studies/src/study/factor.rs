@@ -17,7 +17,7 @@ pub struct Level {
 /// The unit of the numbers of a factor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unit {
-    /// As typed: `deg`; `-` for plain numbers.
+    /// The unit as typed: `deg`; `-` for plain numbers.
     pub symbol: String,
     /// Size of the unit in SI units, and what it measures; `None` for a unit that depends on another key,
     /// such as kN/m^(n+1).
@@ -25,13 +25,13 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// That of plain numbers.
+    /// The unit of plain numbers.
     #[must_use]
     pub fn none() -> Self {
         Self { symbol: "-".to_owned(), size: Some((1.0, Dimension([0; 4]))) }
     }
 
-    /// Whether numbers are written without it.
+    /// Whether numbers are written without the unit.
     #[must_use]
     pub fn is_none(&self) -> bool {
         self.symbol == "-"
@@ -51,7 +51,7 @@ pub struct Factor {
     pub key: Option<String>,
     /// Name of the factor in charts.
     pub label: String,
-    /// The unit of its numbers; `None` for words.
+    /// Unit of the numbers of the factor; `None` for words.
     pub unit: Option<Unit>,
     /// Levels of the factor.
     pub levels: Vec<Level>,

@@ -17,7 +17,7 @@ const CURE: &str = "name its columns as the chart does, with units: Z [-],F_H_ba
 /// Measured points of a chart.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeasuredPoints {
-    /// What they are called in the legend.
+    /// Name of the points in the legend.
     pub label: String,
     /// Bytes of the file, of which the folder of the study has a copy.
     pub bytes: Vec<u8>,
@@ -30,7 +30,7 @@ pub struct MeasuredPoints {
 /// Where the files are.
 #[derive(Clone, Copy)]
 pub(super) enum Whence<'a> {
-    /// Where the study file says, from this folder.
+    /// Files where the study file says, from this folder.
     Named(&'a Path),
     /// The copies in the folder of a study.
     Copies(&'a Path),

@@ -11,9 +11,9 @@ use serde::{Deserialize, Serialize};
 pub struct Study {
     /// Name of the study, that of its file.
     pub name: String,
-    /// Heading of its page.
+    /// Heading of the page of the study.
     pub title: String,
-    /// Whether it is the quick version of the study.
+    /// Whether this is the quick version of the study.
     pub is_quick: bool,
     /// The cases that are varied: that of the file, and those that parts have of their own.
     pub cases: Vec<BaseCase>,
@@ -36,7 +36,7 @@ pub struct Study {
 /// A case that is varied.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BaseCase {
-    /// Path of its file.
+    /// Path of the file of the case.
     pub path: String,
     /// The text of that file.
     #[serde(skip)]
@@ -78,7 +78,7 @@ pub struct Part {
     pub models: Vec<ModelKind>,
     /// Meshes from which the intervals of a run follow; `None` without intervals.
     pub meshes: Option<usize>,
-    /// Which points it has.
+    /// Design of the points of the part.
     pub design: Design,
     /// Number of points of a design that fills space; 0 of the others.
     pub points: usize,
@@ -90,7 +90,7 @@ pub struct Part {
     pub set: Vec<(String, String)>,
     /// Keys of the case that follow from others.
     pub derived: Vec<(String, Expression)>,
-    /// Whether it is evaluated in the quick version of the study, too.
+    /// Whether the part is evaluated in the quick version of the study, too.
     pub in_quick: bool,
 }
 
@@ -132,9 +132,9 @@ pub struct ChartWish {
     pub logarithmic: bool,
     /// Whether the x axis alone is logarithmic.
     pub logarithmic_x: bool,
-    /// Whether it shows how well all points fall onto one curve.
+    /// Whether the chart shows how well all points fall onto one curve.
     pub collapse: bool,
-    /// Whether it shows curves of single runs over their history.
+    /// Whether the chart shows curves of single runs over their history.
     pub history: bool,
     /// Measured points.
     pub measured: Vec<MeasuredPoints>,

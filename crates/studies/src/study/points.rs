@@ -22,9 +22,9 @@ pub struct Point {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the formula of {key}: {why}")]
 pub(super) struct Formless {
-    /// The key that it gives.
+    /// The key that the formula gives.
     pub key: String,
-    /// Why it has none.
+    /// Why the formula has no value.
     pub why: String,
 }
 

@@ -22,7 +22,7 @@ pub struct Counts {
     pub refused: usize,
     /// Cases that could not be brought to an outcome.
     pub failed: usize,
-    /// Cases that nobody has run to an end.
+    /// Cases that have not been run to an end.
     pub missing: usize,
 }
 
@@ -33,7 +33,7 @@ impl Counts {
         self.failed + self.missing == 0
     }
 
-    /// In words.
+    /// The counts in words.
     #[must_use]
     pub fn text(&self) -> String {
         let parts = [
@@ -53,17 +53,17 @@ impl Counts {
 /// A case that has no results, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lack {
-    /// Number of its point.
+    /// Number of the point of the case.
     pub point: usize,
     /// Id of the case.
     pub id: CaseId,
     /// `broken`, `refused`, `failed` or `missing`.
     pub state: String,
-    /// Why.
+    /// Why the case has no results.
     pub reason: String,
 }
 
-/// What has been collected.
+/// The collected results of a study.
 #[derive(Clone, Debug)]
 pub struct Collected {
     /// The table.

@@ -29,13 +29,13 @@ pub enum Unended {
     /// The folder of the study could not be read or written, or no longer fits.
     #[error(transparent)]
     Study(#[from] StudyError),
-    /// The results of its run could not be written or read.
+    /// The results of the run could not be written or read.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// Another engine is running it.
+    /// Another engine is running the case.
     #[error("another engine is running the case {0}")]
     Busy(CaseId),
-    /// A signal stopped it; a run goes on from there.
+    /// A signal stopped the case; a run goes on from there.
     #[error("stopped by signal {0}")]
     Stopped(i32),
     /// Anything else.

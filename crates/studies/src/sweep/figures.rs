@@ -23,7 +23,7 @@ use std::path::PathBuf;
 pub(super) struct FigureSet {
     /// The figures with their files.
     pub(super) figures: Vec<(Figure, FigureFiles)>,
-    /// The same as the page shows them.
+    /// The figures as the page shows them.
     pub(super) shown: Vec<PageFigure>,
     /// What could not be drawn and why, a sentence each.
     pub(super) remarks: Vec<String>,

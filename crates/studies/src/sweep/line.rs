@@ -15,11 +15,11 @@ pub struct CaseLine {
     pub part: String,
     /// The case that is varied: its number in the list of the study.
     pub case: usize,
-    /// What is evaluated.
+    /// The model that is evaluated.
     pub model: ModelKind,
     /// Meshes from which the intervals of a run follow; `null` without intervals.
     pub meshes: Option<usize>,
-    /// The factors and their levels there; not those of which the part makes nothing.
+    /// The factors and their levels at the point; without those of which the part makes no use.
     pub factors: Vec<FactorLevel>,
     /// What is set in the case, as `--set` takes it.
     pub set: Vec<String>,
@@ -38,6 +38,6 @@ pub struct FactorLevel {
     pub number: Option<f64>,
     /// The level as typed.
     pub shown: String,
-    /// Whether the part varies it.
+    /// Whether the part varies the factor.
     pub is_varied: bool,
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Ending {
-    /// With results.
+    /// The case ended with results.
     Done,
     /// The run is broken: its figures are kept, and must not be used.
     Broken,
@@ -33,10 +33,10 @@ impl Ending {
 pub struct Outcome {
     /// The id of the case.
     pub id: CaseId,
-    /// How it ended.
+    /// How the case ended.
     pub ending: Ending,
-    /// Why, unless it is done.
+    /// Why the case ended so, unless it is done.
     pub reason: String,
-    /// What the models say: of the solver a row for every body, of the closed forms one for every model.
+    /// Results of the models: of the solver a row for every body, of the closed forms one for every model.
     pub rows: Vec<Figures>,
 }

@@ -28,7 +28,7 @@ pub struct PoolEnd {
     pub ended: usize,
     /// Cases that could not be brought to one.
     pub failed: usize,
-    /// The signal that stopped it, if one did.
+    /// The signal that stopped the pool, if one did.
     pub stopped: Option<i32>,
 }
 

@@ -35,7 +35,7 @@ pub enum StudyError {
     Content {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// What is wrong with the file.
         problem: String,
     },
     /// The folder is of another version of the format.
@@ -74,7 +74,7 @@ pub struct Origin {
     pub format: u32,
     /// Name of the study.
     pub study: String,
-    /// Whether it is the quick version of it.
+    /// Whether this is the quick version of the study.
     pub quick: bool,
     /// The files of the cases, beside which the files lie that they name; their text is kept in the folder.
     pub cases: Vec<BaseCase>,
@@ -83,7 +83,7 @@ pub struct Origin {
 /// The folder of a study.
 #[derive(Clone, Debug)]
 pub struct Store {
-    /// Where it is.
+    /// Path of the folder.
     pub folder: PathBuf,
 }
 
@@ -283,7 +283,8 @@ impl Store {
         Ok(files::write(&self.failure_file(id), why.as_bytes())?)
     }
 
-    /// Why a case could not be brought to an outcome; `None` where nobody has tried, or was killed.
+    /// Why a case could not be brought to an outcome; `None` where it has not been tried, or the attempt was
+    /// killed.
     #[must_use]
     pub fn failure(&self, id: &CaseId) -> Option<String> {
         let bytes = files::read_inside(&self.failure_file(id), MOST_BYTES).ok()?;

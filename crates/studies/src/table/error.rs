@@ -15,7 +15,7 @@ pub enum TableError {
         line: usize,
         /// Header of the column.
         column: String,
-        /// What stands there.
+        /// The text of the cell.
         text: String,
     },
     /// Two columns of one name.
@@ -30,7 +30,7 @@ pub enum TableError {
     /// Parquet data with a column of another kind than numbers and words.
     #[error("column `{0}` of the Parquet data holds neither 64-bit numbers nor words")]
     Kind(String),
-    /// What Parquet data say of their columns.
+    /// The description of the columns in Parquet data is damaged.
     #[error("what the Parquet data say of their columns is damaged: {0}")]
     Description(#[from] serde_json::Error),
 }

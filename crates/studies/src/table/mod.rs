@@ -12,16 +12,16 @@ pub use self::csv::{from_csv, to_csv};
 pub use self::parquet::{from_parquet, to_parquet};
 pub use error::TableError;
 
-/// What a column is in a study.
+/// Role of a column in a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// What names a row: its number, its id.
+    /// Name of a row: its number, its id.
     Key,
-    /// What was varied: a factor of the design.
+    /// A factor of the design, which was varied.
     Factor,
-    /// What came out: a response.
+    /// A response: a result.
     Response,
-    /// What is said of the row: its state, its grade, a reason.
+    /// A remark on the row: its state, its grade, a reason.
     Remark,
 }
 
@@ -44,7 +44,7 @@ impl Values {
         }
     }
 
-    /// Whether there is no row.
+    /// Whether there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -60,7 +60,7 @@ pub struct Column {
     pub unit: String,
     /// Name of the column in charts, such as `drag F_H`.
     pub label: String,
-    /// What it is.
+    /// Role of the column.
     pub role: Role,
     /// Values of the column.
     pub values: Values,

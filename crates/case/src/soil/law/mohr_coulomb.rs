@@ -37,7 +37,7 @@ pub struct MohrCoulomb {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Potential {
-    /// Of the form of the yield surface, with ψ in place of φ.
+    /// A potential of the form of the yield surface, with ψ in place of φ.
     #[default]
     MohrCoulomb,
     /// Menétrey and Willam (1995).

@@ -227,7 +227,8 @@ impl SoilLaw for Sand {
         Some(0.0)
     }
 
-    /// Up to the critical state, since shear beyond it only hardens the sand up to its peak.
+    /// Whether the sand sustains these stresses: up to the critical state, since shear beyond it only hardens
+    /// the sand up to its peak.
     fn sustains(&self, [most, _, least]: [f64; 3]) -> bool {
         most - least <= (most + least) * self.critical_friction_angle.sin()
     }
@@ -299,8 +300,8 @@ impl SoilLaw for Sand {
         )
     }
 
-    /// With the peak friction angle at low pressure, and the dilation angle of φ = φ_cv + 0.8 ψ (Bolton
-    /// 1986).
+    /// The strength for closed forms: with the peak friction angle at low pressure, and the dilation angle of
+    /// φ = φ_cv + 0.8 ψ (Bolton 1986).
     fn for_closed_forms(&self, soil: &Initial, remarks: &mut Vec<String>) -> Result<Strength, String> {
         let (law, index) = self.at_start(soil);
         let ratio = law.peak_ratio(index);

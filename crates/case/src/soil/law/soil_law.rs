@@ -11,7 +11,7 @@ use solver::material::Material;
 pub struct Initial {
     /// Density [kg/m³]; under water the dry one.
     pub density: f64,
-    /// Elastic moduli where they are largest.
+    /// Elastic moduli at the point where they are largest.
     pub elastic: Moduli,
 }
 
@@ -44,7 +44,7 @@ pub trait SoilLaw {
     /// fail.
     fn cohesion(&self) -> Option<f64>;
 
-    /// Whether it sustains these principal stresses, compression positive, the largest first.
+    /// Whether soil of this law sustains these principal stresses, compression positive, the largest first.
     fn sustains(&self, principal: [f64; 3]) -> bool;
 
     /// Coefficient of earth pressure at rest under level ground: Jaky's (1944), or that of elastic soil that
@@ -53,12 +53,13 @@ pub trait SoilLaw {
         self.friction_angle().map_or(poisson_ratio / (1.0 - poisson_ratio), |angle| 1.0 - angle.sin())
     }
 
-    /// Whether its stress is that of the grains, beside which water in the pores has a pressure of its own.
+    /// Whether the stress of the law is that of the grains, beside which water in the pores has a pressure of
+    /// its own.
     fn bears_effective_stress(&self) -> bool {
         self.friction_angle().is_some()
     }
 
-    /// Whether it may lose, and take up, volume as it is sheared, without limit on the way.
+    /// Whether the soil may lose, and take up, volume as it is sheared, without limit on the way.
     fn changes_volume(&self) -> [bool; 2] {
         [false, self.dilation_angle() > 0.0]
     }

@@ -24,7 +24,7 @@ pub struct Tresca {
     pub shear_strength: f64,
     /// Growth of the strength with depth k [Pa/m].
     pub gradient: f64,
-    /// What remoulding and rate do to it; `None` for nothing.
+    /// What remoulding and rate of shear do to the strength; `None` for nothing.
     pub softening: Option<ClaySoftening>,
 }
 
@@ -37,7 +37,7 @@ pub struct ClaySoftening {
     pub remoulding_strain: f64,
     /// Gain of strength per tenfold rate of shear, μ ≥ 0.
     pub rate_strengthening: f64,
-    /// Rate of shear up to which there is none [1/s].
+    /// Rate of shear up to which the strength does not grow [1/s].
     pub reference_rate: f64,
 }
 
@@ -101,7 +101,7 @@ const FIELDS: &[Field] = &[
     ),
 ];
 
-/// Clay that keeps its strength.
+/// Softening of clay that keeps its strength.
 const INSENSITIVE: ClaySoftening =
     ClaySoftening { sensitivity: 1.0, remoulding_strain: 1.0, rate_strengthening: 0.0, reference_rate: 1.0 };
 
@@ -135,7 +135,7 @@ impl Tresca {
         Self { shear_strength: self.shear_strength + self.gradient * depth, ..self }
     }
 
-    /// Whether it is stronger the faster it is sheared.
+    /// Whether the clay is stronger the faster it is sheared.
     #[must_use]
     pub fn depends_on_rate(&self) -> bool {
         self.softening.is_some_and(|softening| softening.rate_strengthening > 0.0)

@@ -1,4 +1,4 @@
-//! The same case in a larger domain.
+//! A variation of the case in a larger domain.
 
 use super::change::{Change, Original};
 use case::path::Paths;

@@ -1,4 +1,4 @@
-//! The same case varied, to see how far its results depend on what is a choice of the model: the cells, the
+//! Variations of a case, to see how far its results depend on what is a choice of the model: the cells, the
 //! domain, the speed and the precision. Each variation is a case of its own, with a text of its own.
 
 mod change;

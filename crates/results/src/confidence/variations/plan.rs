@@ -13,9 +13,9 @@ use std::ops::RangeInclusive;
 /// A case that is varied in one respect.
 #[derive(Clone, Debug)]
 pub struct Variation {
-    /// Name of its folder.
+    /// Name of the folder of the variation.
     pub name: String,
-    /// What it examines.
+    /// Source of uncertainty that the variation examines.
     pub source: ErrorSource,
     /// What differs, in words.
     pub what: String,
@@ -30,11 +30,11 @@ pub struct Variation {
 /// A variation that is left out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LeftOut {
-    /// Name that its folder would have.
+    /// Name that the folder of the variation would have.
     pub name: String,
-    /// What it would examine.
+    /// Source of uncertainty that the variation would examine.
     pub source: ErrorSource,
-    /// Whether it was asked for, and does not apply.
+    /// Whether the variation was asked for, and does not apply.
     pub is_asked_for: bool,
     /// Why, in words.
     pub why: String,
@@ -43,9 +43,9 @@ pub struct LeftOut {
 /// The variations of a case in the order of their importance, and those that do not apply.
 #[derive(Clone, Debug, Default)]
 pub struct VariationPlan {
-    /// Those that can be run.
+    /// Variations that can be run.
     pub variations: Vec<Variation>,
-    /// Those that cannot.
+    /// Variations that cannot be run.
     pub left_out: Vec<LeftOut>,
 }
 
@@ -69,7 +69,7 @@ impl Default for Asked {
 }
 
 impl Asked {
-    /// So many meshes, and nothing else.
+    /// A wish for this number of meshes, and nothing else.
     #[must_use]
     pub fn meshes_alone(meshes: usize) -> Self {
         Self { meshes, without: vec![ErrorSource::Domain, ErrorSource::Speed, ErrorSource::Precision] }
@@ -162,7 +162,7 @@ const TRIED: [f64; 16] = [
     2.25,
     2.5,
 ];
-/// How far from the wanted width they may be.
+/// Ratio by which the width of the cells may be off the wanted one.
 const NEAR: f64 = 1.3;
 /// Least ratio of the representative widths of two meshes (chosen: with less, a run says nothing new).
 const LEAST_RATIO: f64 = 1.08;

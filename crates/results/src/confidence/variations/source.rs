@@ -20,7 +20,7 @@ pub enum ErrorSource {
 }
 
 impl ErrorSource {
-    /// All of them, in the order in which they are shown.
+    /// All sources of uncertainty, in the order in which they are shown.
     pub const ALL: [Self; 5] = [Self::Mesh, Self::Domain, Self::Speed, Self::Precision, Self::Statistics];
 
     /// Word of the source, as in `summary.json` and on the command line.

@@ -1,4 +1,4 @@
-//! The same case at half the speed: whatever it prescribes takes twice as long.
+//! A variation of the case at half the speed: whatever the case prescribes takes twice as long.
 
 use super::change::{Change, Original};
 use case::keys;

@@ -7,7 +7,7 @@ use std::io;
 pub enum EntryKind {
     /// An ordinary file.
     File {
-        /// How many names it has (hard links).
+        /// Number of names of the file (hard links).
         names: u64,
     },
     /// A folder.

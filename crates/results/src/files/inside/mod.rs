@@ -32,8 +32,8 @@ pub struct Inside {
 }
 
 impl Inside {
-    /// The entry of this name in a folder. One that leads out of it (`..`, an absolute path) is refused when
-    /// it is used.
+    /// The entry of this name in a folder. A name that leads out of the folder (`..`, an absolute path) is
+    /// refused when the entry is used.
     #[must_use]
     pub fn of(top: &Path, name: impl AsRef<Path>) -> Self {
         Self { top: top.to_path_buf(), name: name.as_ref().to_path_buf() }
@@ -45,13 +45,13 @@ impl Inside {
         Self::of(path.parent().unwrap_or(Path::new("")), path.file_name().unwrap_or_default())
     }
 
-    /// Where it is.
+    /// Path of the entry.
     #[must_use]
     pub fn path(&self) -> PathBuf {
         self.top.join(&self.name)
     }
 
-    /// The entry of this name in the folder that this one is.
+    /// The entry of this name in the folder that this entry is.
     #[must_use]
     pub fn join(&self, name: impl AsRef<Path>) -> Self {
         Self { top: self.top.clone(), name: self.name.join(name) }
@@ -71,16 +71,16 @@ impl Inside {
         self.beside(name)
     }
 
-    /// The last part of its name, without its extension.
+    /// The last part of the name of the entry, without its extension.
     #[must_use]
     pub fn stem(&self) -> String {
         self.name.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
-    /// What it is; `None` where there is none of this name.
+    /// Kind of the entry; `None` where there is none of this name.
     ///
     /// # Errors
-    /// Where it, or a folder on the way to it, is a link, a pipe or a device.
+    /// Where the entry, or a folder on the way to it, is a link, a pipe or a device.
     pub fn kind(&self) -> io::Result<Option<EntryKind>> {
         let found = self.parent().and_then(|(folder, name)| folder.kind(&name));
         match found {
@@ -96,7 +96,7 @@ impl Inside {
         !matches!(self.kind(), Ok(None))
     }
 
-    /// Whether it is a folder.
+    /// Whether the entry is a folder.
     #[must_use]
     pub fn is_folder(&self) -> bool {
         matches!(self.kind(), Ok(Some(EntryKind::Folder)))
@@ -185,7 +185,7 @@ impl Inside {
         done
     }
 
-    /// Moves it to another entry, in place of a file that is there.
+    /// Moves the entry to another one, in place of a file that is there.
     ///
     /// # Errors
     /// Where it cannot be moved, or the other entry is anything but an ordinary file.
@@ -286,7 +286,7 @@ impl Inside {
         Ok((folder, name))
     }
 
-    /// The folder that it is.
+    /// The folder that the entry is.
     fn folder(&self) -> io::Result<Opened> {
         let mut folder = Opened::top(named(&self.top))?;
         for part in self.parts()? {

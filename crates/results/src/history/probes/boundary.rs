@@ -137,9 +137,9 @@ fn local_surface(model: &Model, x: DVec3) -> f64 {
 struct FaceCell {
     index: usize,
     axis: usize,
-    /// Area of its face [m²].
+    /// Area of the face of the cell [m²].
     area: f64,
-    /// Its middle [m].
+    /// Middle of the cell [m].
     centre: DVec3,
 }
 

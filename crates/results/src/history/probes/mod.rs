@@ -1,7 +1,7 @@
 //! The probes: what they read from a state becomes a sample of the history.
 //!
-//! They see case, model and state and change neither. Forces are impulses since the last sample over the time
-//! since then, so that nothing that happens between two samples is lost.
+//! Probes see case, model and state and change neither. Forces are impulses since the last sample over the
+//! time since then, so that nothing that happens between two samples is lost.
 
 mod body;
 mod boundary;

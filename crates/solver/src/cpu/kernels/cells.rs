@@ -33,14 +33,14 @@ pub(crate) fn cells_of<'a>(history: &'a mut [Real], cells: &Range<usize>) -> &'a
 #[derive(Debug)]
 pub struct MaterialConstants {
     pub(super) elastic: Elastic,
-    /// How they grow with the pressure, if they do.
+    /// How the elastic moduli grow with the pressure, if they do.
     pub(super) stiffening: Option<Stiffening>,
     pub(super) yield_law: Option<Law>,
     /// Critical density, below which soil no longer dilates [kg/m³]; 0 for none.
     pub(super) critical_density: Real,
-    /// Density in its densest state without pressure [kg/m³].
+    /// Density of the soil in its densest state without pressure [kg/m³].
     pub(super) densest: Real,
-    /// Density below which it bears no pressure [kg/m³]; 0 for none.
+    /// Density below which the soil bears no pressure [kg/m³]; 0 for none.
     pub(super) loosest: Real,
     pub(super) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
@@ -109,7 +109,7 @@ impl<'a> RowConstants<'a> {
         self.dt > 0.0
     }
 
-    /// These constants with another material.
+    /// The constants of the row with another material.
     pub(crate) fn of(self, material: &'a MaterialConstants) -> Self {
         Self { material, ..self }
     }

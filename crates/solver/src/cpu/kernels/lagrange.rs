@@ -92,9 +92,9 @@ pub(crate) fn lagrange(
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Turn {
     All,
-    /// Those with the nodes that contact needs. The first nodes of the first one still wait.
+    /// The portions with the nodes that contact needs. The first nodes of the first portion still wait.
     Near,
-    /// The others, before them in memory.
+    /// The other portions, before those in memory.
     Far,
 }
 

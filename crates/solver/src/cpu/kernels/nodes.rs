@@ -14,7 +14,7 @@ pub(crate) struct NodeConstants {
     dt: Real,
     /// Gravity along x, y, z [m/s²].
     gravity: [Real; 3],
-    /// Whether it acts along x or y, too.
+    /// Whether gravity acts along x or y, too.
     is_tilted: bool,
     /// Mass above which a node moves [kg].
     mass_moved: Real,

@@ -26,7 +26,8 @@ pub(crate) struct SeepageWorkspace {
     /// Sum of the conductances of a cell, with those to open water [m]; 0 in cells without a pore pressure of
     /// their own.
     diagonal: Vec<f64>,
-    /// Inverse of it where the pressure is sought [1/m]; 0 elsewhere, and in cells whose water cavitates.
+    /// Inverse of the diagonal where the pressure is sought [1/m]; 0 elsewhere, and in cells whose water
+    /// cavitates.
     inverse: Vec<f64>,
     /// Change of the pressure in a step, times mobility [m²/s].
     change: Vec<f64>,

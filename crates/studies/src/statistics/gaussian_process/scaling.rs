@@ -4,7 +4,8 @@ use super::super::StatisticsError;
 
 /// Points per coefficient from which on the trend is linear (chosen); with fewer it is a constant.
 const POINTS_PER_COEFFICIENT: usize = 3;
-/// What a column of the trend must have besides those before it, over its own size (chosen).
+/// Least size of the part of a column of the trend that does not follow from those before it, over the
+/// column's own size (chosen).
 const INDEPENDENT: f64 = 1e-6;
 
 /// How inputs and values are scaled: inputs to 0–1 over their range, values to mean 0 and deviation 1.
@@ -14,7 +15,7 @@ pub(super) struct Scaling {
     pub(super) factors: usize,
     /// The factors that vary.
     pub(super) varying: Vec<usize>,
-    /// Lowest value of each of these, and their range.
+    /// Lowest value of each of the inputs that vary, and their range.
     pub(super) ranges: Vec<[f64; 2]>,
     /// Mean of the values.
     pub(super) mean: f64,
