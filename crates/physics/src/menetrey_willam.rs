@@ -14,6 +14,8 @@ use super::tensor::{Spectrum, Symmetric};
 use super::yield_law::{Point, Returned, YieldLaw};
 
 const SQRT_1_5: Real = 1.224_744_871_391_589;
+/// Rounding of a returned pressure, over the pressure of the trial stress.
+const ROUNDING: Real = 10.0 * Real::EPSILON;
 
 /// Mohr–Coulomb with the potential of Menétrey and Willam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -185,8 +187,10 @@ impl YieldLaw for MenetreyWillam {
         let once = self.cutting_plane_step(start, start.lode, dilates);
         let twice = self.cutting_plane_step(once, start.lode, dilates);
         let Iterate { x, y, pressure, lode } = self.cutting_plane_step(twice, start.lode, dilates);
+        // Where dilation ends at the apex it does so up to rounding, and soil opens at the apex alone.
         let apex = -self.surface.apex();
-        let pressure = if pressure > apex { pressure } else { apex };
+        let rounding = ROUNDING * start.pressure.abs();
+        let pressure = if pressure > apex + rounding { pressure } else { apex };
         let (hexagon, _) = self.hexagon(lode.0, lode.1);
         let q = SQRT_1_5 * (x * x + y * y).sqrt();
         let strength = pressure * self.tan_friction + self.cohesion;

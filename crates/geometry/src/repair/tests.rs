@@ -128,6 +128,16 @@ fn rounded_points_are_merged_and_said_so() {
 }
 
 #[test]
+fn points_may_lie_far_off() {
+    let mut spare = soup(&cube([0.0; 3], 1.0));
+    spare.points.push(DVec3::splat(1e86));
+    assert!((volume(&repaired(&spare).unwrap()) - 1.0).abs() < 1e-12);
+    // Far from the origin over the tolerance, within which points are merged.
+    let found = repaired(&soup(&cube([1e17, 0.0, 0.0], 64.0))).unwrap();
+    assert_eq!((found.shells, found.solid.mesh().points.len()), (1, 8));
+}
+
+#[test]
 fn a_sliver_becomes_part_of_its_neighbour() {
     // An edge of a cube is split on one side only, and the gap closed by a triangle without height.
     let mut split = cube([0.0; 3], 1.0);

@@ -1,6 +1,7 @@
 //! Points that coincide become one.
 
 use crate::Mesh;
+use crate::hierarchy::bounds;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -8,6 +9,9 @@ const NONE: u32 = u32::MAX;
 
 /// The surface with points merged that are no more than a tolerance apart [m]: the first of them stays.
 pub(super) fn welded(surface: &Mesh, tolerance: f64) -> Mesh {
+    // What no triangle has may lie anywhere, too far off for the number of a cell.
+    let surface = &without_spare_points(surface);
+    let (low, _) = bounds(surface.points.iter().copied());
     // A point within the tolerance of another one lies in one of eight cells.
     let width = 2.0 * tolerance;
     let mut cells: HashMap<[i64; 3], u32> = HashMap::new();
@@ -23,8 +27,8 @@ pub(super) fn welded(surface: &Mesh, tolerance: f64) -> Mesh {
             }
             (at != NONE).then_some(at)
         };
-        let own = cell_of(*x / width);
-        let corner = cell_of(*x / width - DVec3::splat(0.5));
+        let place = (*x - low) / width;
+        let (own, corner) = (cell_of(place), cell_of(place - DVec3::splat(0.5)));
         let around = (0..8).map(|n| [corner[0] + (n & 1), corner[1] + (n >> 1 & 1), corner[2] + (n >> 2)]);
         let found = std::iter::once(own).chain(around).find_map(|cell| find(cell, &points, &before));
         number.push(found.unwrap_or_else(|| {
