@@ -15,9 +15,10 @@ test crate="":
 fingerprints:
     cargo test --release --locked -p coulter --test fingerprints
 
-# Rewrites what follows from the tables of keys, columns and limits
+# Rewrites what follows from the tables of keys, columns, limits and commands
 update:
     COULTER_UPDATE=1 cargo test --release --locked -p coulter-case -p coulter-results -p coulter-studies -p coulter
+    COULTER_UPDATE=1 cargo test --release --locked -p coulter-cli --test commands
 
 # The verification suite, the quick part of it unless ids are given
 verify *ids:
