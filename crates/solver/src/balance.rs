@@ -4,13 +4,19 @@ use crate::contact::ContactWork;
 use crate::cpu::stage_sums::RowSums;
 use crate::energy;
 use crate::halo::Halo;
+use crate::kernels::Kernels;
 use crate::model::Model;
-use crate::precision::Precision;
 use crate::state::State;
 use mechanics::Step;
 
+/// What the energy balance of a block starts from: volume and elastic energy of the soil in all blocks.
+pub(crate) fn begin_in_blocks<R: Kernels>(model: &Model, state: &mut State<R>, halo: &Halo) {
+    state.energy_balance.elastic_start = energy::elastic(model, &state.soil, halo);
+    state.energy_balance.volume_start = energy::soil_volume(&model.grid, &state.soil, halo);
+}
+
 /// Adds a step to the energy balance.
-pub(crate) fn account<R: Precision>(
+pub(crate) fn account<R: Kernels>(
     model: &Model,
     state: &mut State<R>,
     sums: &RowSums,
@@ -35,12 +41,12 @@ pub(crate) fn account<R: Precision>(
 }
 
 /// Kinetic energy of soil and bodies [J], of the modelled portion.
-pub fn kinetic_energy<R: Precision>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
+pub fn kinetic_energy<R: Kernels>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
     let bodies = model.modelled_fraction() * model.mechanism().kinetic_energy(&state.mechanism);
     energy::kinetic(model, state, halo) + bodies
 }
 
 /// Elastic energy of the soil [J], of the modelled portion.
-pub fn elastic_energy<R: Precision>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
+pub fn elastic_energy<R: Kernels>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
     energy::elastic(model, &state.soil, halo)
 }

@@ -3,8 +3,8 @@
 use crate::cpu::stage_sums::RowSums;
 use crate::error::{Breakdown, Location};
 use crate::halo::Halo;
+use crate::kernels::Kernels;
 use crate::model::Model;
-use crate::precision::Precision;
 use crate::state::State;
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ use glam::DVec3;
 ///
 /// # Errors
 /// [`Breakdown`] for the first condition that is violated.
-pub(crate) fn check<R: Precision>(
+pub(crate) fn check<R: Kernels>(
     model: &Model,
     state: &State<R>,
     sums: &RowSums,
@@ -66,7 +66,7 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
 
 /// Offending node of all blocks: of those with a velocity component that `is_bad`, or of all where there is
 /// none, the one that has moved farthest since the last remap.
-fn offending_node<R: Precision>(
+fn offending_node<R: Kernels>(
     model: &Model,
     state: &State<R>,
     halo: &Halo,

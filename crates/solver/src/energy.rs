@@ -9,23 +9,23 @@ use crate::exact_sum::{ExactSum, over_blocks};
 use crate::fields::mass_as_main;
 use crate::grid::Grid;
 use crate::halo::Halo;
+use crate::kernels::Kernels;
 use crate::model::Model;
-use crate::precision::Precision;
 use crate::scalar::Scalar;
 use crate::state::{Soil, State};
 
 /// Elastic energy of the soil [J].
-pub(crate) fn elastic<R: Precision>(model: &Model, soil: &Soil<R>, halo: &Halo) -> f64 {
+pub(crate) fn elastic<R: Kernels>(model: &Model, soil: &Soil<R>, halo: &Halo) -> f64 {
     sum_rows(&model.grid, halo, |row| R::elastic_energy(model, soil, row))
 }
 
 /// Kinetic energy of the soil [J].
-pub(crate) fn kinetic<R: Precision>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
+pub(crate) fn kinetic<R: Kernels>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
     sum_rows(&model.grid, halo, |row| R::kinetic_energy(&model.grid, &state.nodes, row))
 }
 
 /// Elastic and kinetic energy of the soil [J], computed in parallel.
-pub(crate) fn total<R: Precision>(
+pub(crate) fn total<R: Kernels>(
     model: &Model,
     state: &State<R>,
     workspace: &mut SoilWorkspace<R>,

@@ -11,15 +11,15 @@ use crate::contact::BodyCell;
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::grid::Grid;
 use crate::halo::Halo;
-use crate::initial::Undisturbed;
+use crate::kernels::Kernels;
 use crate::model::Model;
-use crate::precision::Precision;
+use crate::rest::Undisturbed;
 use crate::state::{EnergyBalance, Nodes, Soil, State};
 use glam::DVec3;
 use std::ops::Range;
 
 /// Moves the grid after the body that it follows. From here on displacements are relative to the grid.
-pub(crate) fn follow<R: Precision>(model: &Model, state: &mut State<R>) {
+pub(crate) fn follow<R: Kernels>(model: &Model, state: &mut State<R>) {
     let Some(follow) = model.follow else { return };
     let travelled = state.pose(follow.body).position - model.bodies[follow.body].start.position;
     let along =
@@ -50,7 +50,7 @@ pub(crate) struct Ghosts<'a, R> {
 /// Volume [m³], mass [kg] and elastic energy [J] of the soil in the ghost layers.
 type Content = [f64; 3];
 
-impl<'a, R: Precision> Ghosts<'a, R> {
+impl<'a, R: Kernels> Ghosts<'a, R> {
     /// The ghost layers of a grid with open faces, before the first sweep; `volume` is that of the soil in
     /// the displaced cells [m³].
     pub(crate) fn new(
@@ -169,7 +169,7 @@ fn for_each_ghost(grid: &Grid, mut each: impl FnMut(Face, [usize; 3])) {
 }
 
 /// Copies the state of the next cell of the domain into one beyond a face; returns its volume fraction.
-fn copy_inner<R: Precision>(
+fn copy_inner<R: Kernels>(
     grid: &Grid,
     soil: &mut Soil<R>,
     [volume, cell]: [&[R]; 2],
@@ -188,7 +188,7 @@ fn copy_inner<R: Precision>(
 
 /// Stops the nodes on open faces, unless these yield, and beyond them, and gives the latter the masses of the
 /// cells round them.
-fn stop_nodes<R: Precision>(model: &Model, cell_mass: &[R], nodes: &mut Nodes<R>) {
+fn stop_nodes<R: Kernels>(model: &Model, cell_mass: &[R], nodes: &mut Nodes<R>) {
     let grid = &model.grid;
     let [x, y, z] = grid.stride;
     for (face, outside) in open_faces(grid) {
@@ -220,7 +220,7 @@ pub(crate) struct Beyond<R> {
     at_rest: Vec<Vec<R>>,
 }
 
-impl<R: Precision> Beyond<R> {
+impl<R: Kernels> Beyond<R> {
     /// The ground beyond a block whose grid has moved as far as in a state.
     pub(crate) fn new(model: &Model, state: &State<R>) -> Self {
         if !model.boundaries.have_constant_stress() {
@@ -270,7 +270,7 @@ impl<R: Precision> Beyond<R> {
 }
 
 /// What the ghost layers of all blocks hold.
-fn content<R: Precision>(model: &Model, soil: &Soil<R>, volume: &[R], halo: &Halo) -> Content {
+fn content<R: Kernels>(model: &Model, soil: &Soil<R>, volume: &[R], halo: &Halo) -> Content {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     let rows = (0..nz).flat_map(|k| (0..ny).map(move |j| [j, k]));
@@ -295,7 +295,7 @@ fn content<R: Precision>(model: &Model, soil: &Soil<R>, volume: &[R], halo: &Hal
 }
 
 /// What some cells hold.
-fn content_of<R: Precision>(
+fn content_of<R: Kernels>(
     model: &Model,
     soil: &Soil<R>,
     volume: &[R],

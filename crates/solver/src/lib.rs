@@ -2,12 +2,13 @@
 //!
 //! [`model::Model`] is what stays fixed during a run, [`state::State`] is everything that changes, and
 //! [`step::step`] takes one step. The vectorised loops over cells are the kernels in `cpu`; only they are
-//! compiled for each precision of the fields. [`precision::Precision`] is their interface.
+//! written for each precision of the fields. [`precision::Precision`] is what a program needs of either.
 
 pub mod balance;
 pub mod bodies;
 pub mod boundary;
 mod check;
+mod compiled;
 mod contact;
 pub mod cpu;
 mod enclosed;
@@ -21,12 +22,14 @@ mod ghosts;
 pub mod grid;
 pub mod halo;
 pub mod initial;
+mod kernels;
 pub mod material;
 pub mod model;
 mod pore_pressure;
 pub mod portion;
 pub mod precision;
 pub mod remap;
+mod rest;
 mod scalar;
 pub mod state;
 pub mod step;

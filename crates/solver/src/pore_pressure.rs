@@ -14,8 +14,8 @@ use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::error::{Breakdown, Location};
 use crate::halo::Halo;
+use crate::kernels::Kernels;
 use crate::model::Model;
-use crate::precision::Precision;
 use crate::state::State;
 
 /// How much of the inertia of the soil is anticipated, over that of its nodes in a full row of cubes. Above 1
@@ -26,7 +26,7 @@ const ANTICIPATED: f64 = 2.0;
 ///
 /// # Errors
 /// [`Breakdown`] where no pressures balance the flow of the water.
-pub(crate) fn renew<R: Precision>(
+pub(crate) fn renew<R: Kernels>(
     model: &Model,
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
@@ -61,7 +61,7 @@ pub(crate) fn renew<R: Precision>(
 }
 
 /// Finds between which cells water can flow, after a contact search, and where a run resumes.
-pub(crate) fn find_paths<R: Precision>(
+pub(crate) fn find_paths<R: Kernels>(
     model: &Model,
     state: &State<R>,
     seepage: &mut SeepageWorkspace,

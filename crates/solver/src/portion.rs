@@ -178,7 +178,7 @@ mod tests {
             |portion| portion.layers[1] = Range { start: 2, end: 0 },
             |portion| drop(portion.cells.pop()),
             |portion| portion.nodes.clear(),
-            |portion| drop(portion.nodes[0].pop()),
+            |portion| portion.nodes[0].truncate(1),
         ];
         for (n, harm) in harms.into_iter().enumerate() {
             let mut harmed = sound.clone();

@@ -1,160 +1,57 @@
-//! The interface between the time step and the kernels of either precision.
+//! The precision of the fields, as programs that use the solver see it.
 
-use crate::cpu::kernels::{double, single};
-use crate::cpu::workspace::SoilWorkspace;
-use crate::grid::Grid;
+use crate::error::Breakdown;
 use crate::halo::Halo;
-use crate::model::Model;
+use crate::halo::decomposition::Decomposition;
+use crate::kernels::Kernels;
+use crate::model::{Ground, Model};
 pub use crate::scalar::Scalar;
-use crate::state::{Known, Nodes, Soil, State};
+use crate::state::State;
+use crate::workspace::Workspace;
 
-/// A number type with its kernels. Rows are numbered in memory order (see [`Grid::row_and_plane`]).
-pub trait Precision: Scalar {
-    /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of
-    /// the step, velocities without contact half a step later. Calls `known` as soon as the nodes of the
-    /// block that contact needs are moved.
-    fn lagrangian_stage(
-        model: &Model,
-        state: &mut State<Self>,
-        workspace: &mut SoilWorkspace<Self>,
-        dt: f64,
-        known: &mut Known<'_, Self>,
-    );
+/// A number type for which the time step is compiled: `f64` or `f32`. Each method is what the function that
+/// it names calls; it is compiled in this crate, and not again in each program.
+pub trait Precision: Kernels {
+    /// See [`step`](crate::step::step).
+    ///
+    /// # Errors
+    /// [`Breakdown`] when the state has become unphysical.
+    fn step(model: &Model, state: &mut State<Self>, workspace: &mut Workspace<Self>)
+    -> Result<(), Breakdown>;
 
-    /// Volumes [m³] of the displaced cells and of the soil in them, from which the sweeps of a remap start.
-    fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
+    /// See [`at_rest_on`](crate::initial::at_rest_on).
+    fn at_rest_on(model: &Model, ground: &Ground) -> State<Self>;
 
-    /// One sweep of a remap along `axis`, over the `active` rows. No soil flows into the `filled` cells
-    /// but from one into another.
-    fn sweep(
-        model: &Model,
-        state: &mut State<Self>,
-        workspace: &mut SoilWorkspace<Self>,
-        axis: usize,
-        active: &[bool],
-        filled: &[usize],
-    );
+    /// See [`at_rest_filled`](crate::initial::at_rest_filled).
+    fn at_rest_filled(model: &Model, fraction: Vec<Self>) -> State<Self>;
 
-    /// Post-remap update: volume fractions from the transported volumes, and admissible stresses. Volume [m³]
-    /// and mass [kg] of the debris removed are left in the workspace's values by row.
-    fn update_after_remap(
-        model: &Model,
-        soil: &mut Soil<Self>,
-        workspace: &mut SoilWorkspace<Self>,
-        active: &[bool],
-    );
-
-    /// Post-remap update of one cell into which overlap removal has moved soil.
-    fn update_cell(model: &Model, soil: &mut Soil<Self>, workspace: &mut SoilWorkspace<Self>, cell: usize);
-
-    /// Renews the nonlocal densities of soil with a characteristic length.
-    fn average_density(
-        model: &Model,
-        soil: &mut Soil<Self>,
-        workspace: &mut SoilWorkspace<Self>,
-        halo: &Halo,
-    );
-
-    /// Masses of a row of nodes from those of the cells [kg].
-    fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Self], node_mass: &mut [Self]);
-
-    /// Elastic energy of the soil in a row of cells [J].
-    fn elastic_energy(model: &Model, soil: &Soil<Self>, row: [usize; 2]) -> f64;
-
-    /// Kinetic energy of a row of nodes [J].
-    fn kinetic_energy(grid: &Grid, nodes: &Nodes<Self>, row: [usize; 2]) -> f64;
+    /// See [`Workspace::of_block`].
+    fn workspace(model: &Model, state: &mut State<Self>, threads: usize, halo: Halo) -> Workspace<Self>;
 }
 
-macro_rules! precision {
-    ($module:ident, $name:literal, $round_off:literal) => {
-        impl Scalar for $module::Real {
-            const NAME: &'static str = $name;
-            const LANES: usize = $module::LANES;
-            const ROUND_OFF: f64 = $round_off;
-            type CellBlock = $module::cells::Block;
+impl<R: Precision> Workspace<R> {
+    /// Workspace for a model and a team of `threads`. Before the first step, this includes the first contact
+    /// search.
+    #[must_use]
+    pub fn new(model: &Model, state: &mut State<R>, threads: usize) -> Self {
+        Self::of_block(model, state, threads, Halo::whole())
+    }
 
-            type Materials = Vec<$module::cells::MaterialConstants>;
+    /// Scratch memory for one block of a partitioned grid.
+    #[must_use]
+    pub fn of_block(model: &Model, state: &mut State<R>, threads: usize, halo: Halo) -> Self {
+        R::workspace(model, state, threads, halo)
+    }
 
-            fn materials(model: &Model) -> Self::Materials {
-                $module::cells::materials(model)
-            }
-
-            fn cast(value: f64) -> Self {
-                value as Self
-            }
-
-            fn cell_block() -> Box<Self::CellBlock> {
-                $module::cells::Block::new()
-            }
-        }
-
-        impl Precision for $module::Real {
-            fn lagrangian_stage(
-                model: &Model,
-                state: &mut State<Self>,
-                workspace: &mut SoilWorkspace<Self>,
-                dt: f64,
-                known: &mut Known<'_, Self>,
-            ) {
-                $module::lagrange::lagrange(model, state, workspace, dt, known);
-            }
-
-            fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>) {
-                $module::sweep::displaced_volumes(model, state, workspace);
-            }
-
-            fn sweep(
-                model: &Model,
-                state: &mut State<Self>,
-                workspace: &mut SoilWorkspace<Self>,
-                axis: usize,
-                active: &[bool],
-                filled: &[usize],
-            ) {
-                $module::sweep::sweep(model, state, workspace, axis, active, filled);
-            }
-
-            fn update_after_remap(
-                model: &Model,
-                soil: &mut Soil<Self>,
-                workspace: &mut SoilWorkspace<Self>,
-                active: &[bool],
-            ) {
-                $module::post_remap::update_after_remap(model, soil, workspace, active);
-            }
-
-            fn update_cell(
-                model: &Model,
-                soil: &mut Soil<Self>,
-                workspace: &mut SoilWorkspace<Self>,
-                cell: usize,
-            ) {
-                $module::post_remap::update_cell(model, soil, workspace, cell);
-            }
-
-            fn average_density(
-                model: &Model,
-                soil: &mut Soil<Self>,
-                workspace: &mut SoilWorkspace<Self>,
-                halo: &Halo,
-            ) {
-                $module::nonlocal::average(model, soil, workspace, halo);
-            }
-
-            fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Self], node_mass: &mut [Self]) {
-                $module::sweep::nodal_masses(grid, row, cell_mass, node_mass);
-            }
-
-            fn elastic_energy(model: &Model, soil: &Soil<Self>, row: [usize; 2]) -> f64 {
-                $module::energy::elastic(model, soil, row)
-            }
-
-            fn kinetic_energy(grid: &Grid, nodes: &Nodes<Self>, row: [usize; 2]) -> f64 {
-                $module::energy::kinetic(grid, nodes, row)
-            }
-        }
-    };
+    /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All
+    /// blocks must do so after the same step.
+    ///
+    /// # Panics
+    /// If there are not as many blocks as before.
+    pub fn recut(&mut self, model: &mut Model, state: &mut State<R>, cut: &Decomposition) {
+        let threads = self.threads();
+        (model.grid, *state) = state.recut(&model.grid, cut, &self.halo);
+        let halo = std::mem::take(&mut self.halo).recut(cut);
+        *self = Self::of_block(model, state, threads, halo);
+    }
 }
-
-precision!(double, "double", 1e-12);
-precision!(single, "single", 1e-6);

@@ -13,8 +13,8 @@ use crate::ghosts::{self, Beyond, Ghosts};
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::halo::filling::{At, fill};
+use crate::kernels::Kernels;
 use crate::model::Model;
-use crate::precision::Precision;
 use crate::state::{Nodes, State};
 use crate::workspace::Workspace;
 
@@ -24,7 +24,7 @@ const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0,
 
 /// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of
 /// the cells, and every stress is admissible. What is lost is entered into the energy balance.
-pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
+pub fn remap<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
     let Workspace { soil, contact, halo, beyond, .. } = workspace;
     let (grid, halo) = (&model.grid, halo);
     let before = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;
@@ -75,7 +75,7 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
 
 /// Fills the ghost layers after a sweep: with what lies beyond open faces, and with what other blocks have
 /// carried.
-fn fill_swept<R: Precision>(
+fn fill_swept<R: Kernels>(
     model: &Model,
     state: &mut State<R>,
     workspace: &mut SoilWorkspace<R>,
@@ -110,7 +110,7 @@ fn rows_near_soil(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
 
 /// Sets the displacement to zero, gives the nodes the masses of the cells round them, and leaves the scratch
 /// arrays zero where there is no soil, as the Lagrangian stage expects them.
-fn reset_nodes<R: Precision>(grid: &Grid, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
+fn reset_nodes<R: Kernels>(grid: &Grid, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
     let SoilWorkspace { team, partition, velocity_before, .. } = workspace;
     for array in state.nodes.displacement.iter_mut().chain(velocity_before) {
         team.rows(partition, array, |_, out| out.fill(R::default()));
@@ -120,7 +120,7 @@ fn reset_nodes<R: Precision>(grid: &Grid, state: &mut State<R>, workspace: &mut 
 }
 
 /// Stops nodes that have lost their soil; only now, not between sweeps.
-fn stop_massless_nodes<R: Precision>(model: &Model, state: &mut State<R>, workspace: &SoilWorkspace<R>) {
+fn stop_massless_nodes<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &SoilWorkspace<R>) {
     let SoilWorkspace { team, partition, .. } = workspace;
     let (mass_moved, mass) = (R::cast(model.mass_moved()), &state.nodes.mass);
     for v in &mut state.nodes.velocity {

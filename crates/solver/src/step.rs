@@ -7,6 +7,7 @@ use crate::contact;
 use crate::cpu::stage_sums::RowSums;
 use crate::error::Breakdown;
 use crate::halo::filling::{At, Layers, begin_filling, end_filling};
+use crate::kernels::Kernels;
 use crate::model::Model;
 use crate::pore_pressure;
 use crate::precision::Precision;
@@ -19,6 +20,15 @@ use crate::workspace::Workspace;
 /// # Errors
 /// [`Breakdown`] when the state has become unphysical; the state is then the one after the failed step.
 pub fn step<R: Precision>(
+    model: &Model,
+    state: &mut State<R>,
+    workspace: &mut Workspace<R>,
+) -> Result<(), Breakdown> {
+    R::step(model, state, workspace)
+}
+
+/// [`step`], to be compiled for one precision.
+pub(crate) fn stages<R: Kernels>(
     model: &Model,
     state: &mut State<R>,
     workspace: &mut Workspace<R>,
@@ -61,7 +71,7 @@ pub fn step<R: Precision>(
 }
 
 /// Whether soil or a body has moved so far since the last remap that another is due.
-fn is_remap_due<R: Precision>(model: &Model, state: &State<R>, sums: &RowSums) -> bool {
+fn is_remap_due<R: Kernels>(model: &Model, state: &State<R>, sums: &RowSums) -> bool {
     let cell = model.grid.finest();
     sums.displacement > model.method.remap_displacement * cell
         || sums.displacement_light > 0.4 * cell

@@ -1,5 +1,6 @@
 //! Scratch memory of the time step; nothing in it must survive a step.
 
+use crate::balance;
 use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
@@ -8,16 +9,14 @@ use crate::cpu::workspace::SoilWorkspace;
 use crate::ghosts::Beyond;
 use crate::grid::Grid;
 use crate::halo::Halo;
-use crate::halo::decomposition::Decomposition;
-use crate::initial;
+use crate::kernels::Kernels;
 use crate::model::{Model, RimBin};
 use crate::pore_pressure;
-use crate::precision::Precision;
 use crate::state::State;
 use mechanics::{Mechanism, Step};
 
 /// Threads and scratch memory of a run.
-pub struct Workspace<R: Precision = f64> {
+pub struct Workspace<R: Kernels = f64> {
     /// Scratch memory for the loops over cells.
     pub(crate) soil: SoilWorkspace<R>,
     /// Scratch memory for contact.
@@ -34,25 +33,17 @@ pub struct Workspace<R: Precision = f64> {
     pub(crate) halo: Halo,
 }
 
-impl<R: Precision> std::fmt::Debug for Workspace<R> {
+impl<R: Kernels> std::fmt::Debug for Workspace<R> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Workspace with {:?}, {:?}", self.soil, self.contact)
     }
 }
 
-impl<R: Precision> Workspace<R> {
-    /// Workspace for a model and a team of `threads`. Before the first step, this includes the first contact
-    /// search.
-    #[must_use]
-    pub fn new(model: &Model, state: &mut State<R>, threads: usize) -> Self {
-        Self::of_block(model, state, threads, Halo::whole())
-    }
-
-    /// Scratch memory for one block of a partitioned grid.
-    #[must_use]
-    pub fn of_block(model: &Model, state: &mut State<R>, threads: usize, halo: Halo) -> Self {
+impl<R: Kernels> Workspace<R> {
+    /// [`Workspace::of_block`], to be compiled for one precision.
+    pub(crate) fn prepared(model: &Model, state: &mut State<R>, threads: usize, halo: Halo) -> Self {
         if state.step == 0 && !halo.is_alone() {
-            initial::balance_blocks(model, state, &halo);
+            balance::begin_in_blocks(model, state, &halo);
         }
         let soil = SoilWorkspace::new(model, state, threads);
         let mut workspace = Self {
@@ -84,18 +75,6 @@ impl<R: Precision> Workspace<R> {
     #[must_use]
     pub fn costs(&self, grid: &Grid) -> Vec<f64> {
         self.soil.costs_of_own(grid)
-    }
-
-    /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All
-    /// blocks must do so after the same step.
-    ///
-    /// # Panics
-    /// If there are not as many blocks as before.
-    pub fn recut(&mut self, model: &mut Model, state: &mut State<R>, cut: &Decomposition) {
-        let threads = self.threads();
-        (model.grid, *state) = state.recut(&model.grid, cut, &self.halo);
-        let halo = std::mem::take(&mut self.halo).recut(cut);
-        *self = Self::of_block(model, state, threads, halo);
     }
 
     /// Other motions of the model's bodies take over: they start from the speeds that the bodies have.

@@ -18,8 +18,8 @@ use crate::fields::Carrier;
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::halo::filling::{At, fill};
+use crate::kernels::Kernels;
 use crate::model::Model;
-use crate::precision::Precision;
 use crate::scalar::Scalar;
 use crate::state::{Nodes, State};
 use glam::DVec3;
@@ -29,7 +29,7 @@ use std::collections::BTreeMap;
 const ROUNDS: usize = 3;
 
 /// Updates the body volume fractions and moves overlapping soil out of the bodies.
-pub(crate) fn remove_overlap<R: Precision>(
+pub(crate) fn remove_overlap<R: Kernels>(
     model: &Model,
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
@@ -53,7 +53,7 @@ pub(crate) fn remove_overlap<R: Precision>(
 }
 
 /// One round: moves what overlaps in some cells; returns whether anything did in any block.
-fn redistribute<R: Precision>(
+fn redistribute<R: Kernels>(
     model: &Model,
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
@@ -184,7 +184,7 @@ struct Change {
 }
 
 /// Moves soil with all its carried quantities.
-fn transfer<R: Precision>(
+fn transfer<R: Kernels>(
     model: &Model,
     state: &mut State<R>,
     workspace: &mut SoilWorkspace<R>,
