@@ -129,14 +129,14 @@ def overhead(folder):
     """Processor time of a sweep over that of the same cases with `coulter run`, less one, and seconds per case.
 
     What else the machine does only adds to a processor time, so that the least of several rounds is compared with the least. Rounds go on
-    until the share is within ALLOWED, six at most.
+    until the share is within ALLOWED, 20 at most.
     """
     count = 3 if SHORT else 10
     text = STUDY.split("[part.closed]")[0] + "[part.runs]\nmodels = \"solver\"\ndesign = \"sobol\"\n"
     text += f"points = {count}\n[part.runs.set]\n{COARSE % '0.012 m'}\n"
     (folder / "timed.toml").write_text(text)
     swept, alone = [], []
-    for turn in range(6):
+    for turn in range(20):
         shutil.rmtree(folder / "timed", ignore_errors=True)
         coulter(folder, "sweep", "expand", "timed.toml", "-o", "timed")
         before = processor_time()

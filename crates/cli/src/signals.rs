@@ -1,11 +1,18 @@
 //! Signals: SIGINT, SIGTERM and SIGHUP stop a run at its next step, SIGUSR1 makes it write a checkpoint and
-//! continue. A second stop signal ends the program immediately. SIGXFSZ becomes an error of the write that
-//! causes it.
+//! continue. A second stop signal ends the program immediately, unless it is the first once more: `timeout`
+//! and some schedulers signal a program, and then its group. SIGXFSZ becomes an error of the write that causes
+//! it.
 
 use coulter::interrupts::Interrupts;
 use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::low_level;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// For so long [ms] a signal that comes again is the same request: chosen, above the time between the two of
+/// `timeout` on a busy machine, below that in which a user presses Ctrl-C again.
+const SAME_REQUEST: u64 = 500;
 
 /// Installs the signal handlers; returns the requests that they set.
 ///
@@ -16,16 +23,33 @@ pub(super) fn listen() -> Interrupts {
     if !hangup_is_ignored() {
         stops.extend(hangup());
     }
-    let stopping = Arc::new(AtomicBool::new(false));
+    let (began, first) = (Instant::now(), Arc::new(AtomicU64::new(0)));
     for signal in stops {
-        // In this order: a second signal finds the flag that the first one has set.
-        let _ = signal_hook::flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stopping));
-        let _ = signal_hook::flag::register(signal, Arc::clone(&stopping));
         let number = usize::try_from(signal).unwrap_or(0);
+        let first = Arc::clone(&first);
+        let action = move || {
+            let now = u64::try_from(began.elapsed().as_millis()).unwrap_or(u64::MAX);
+            if is_second(&first, number, now) {
+                low_level::exit(128 + signal);
+            }
+        };
+        // SAFETY: it uses a clock, an atomic number and an exit meant for handlers; no memory, no lock.
+        #[allow(unsafe_code)]
+        let _ = unsafe { low_level::register(signal, action) };
         let _ = signal_hook::flag::register_usize(signal, Arc::clone(&interrupts.stop), number);
     }
     on_request(&interrupts);
     interrupts
+}
+
+/// Whether a stop signal that arrives `now` [ms] is a second one: another than the first, or the same later
+/// than [`SAME_REQUEST`]. The first is kept in `first`.
+fn is_second(first: &AtomicU64, signal: usize, now: u64) -> bool {
+    let this = (now << 8) | signal as u64;
+    match first.compare_exchange(0, this, Ordering::Relaxed, Ordering::Relaxed) {
+        Ok(_) => false,
+        Err(first) => first & 0xff != signal as u64 || now.saturating_sub(first >> 8) > SAME_REQUEST,
+    }
 }
 
 /// Makes a write beyond a limit on the file size (`ulimit -f`) fail as on a full disk, instead of ending the
@@ -51,7 +75,7 @@ fn suspension() -> Option<fn()> {
     Some(|| {
         let samples = SAMPLES.fetch_add(1, Ordering::Relaxed) + 1;
         if samples.is_multiple_of(EVERY.load(Ordering::Relaxed)) {
-            let _ = signal_hook::low_level::raise(signal_hook::consts::SIGSTOP);
+            let _ = low_level::raise(signal_hook::consts::SIGSTOP);
         }
     })
 }
@@ -88,4 +112,20 @@ fn hangup_is_ignored() -> bool {
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
     // Bit 0 stands for SIGHUP.
     mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).is_some_and(|mask| mask & 1 == 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SAME_REQUEST, is_second};
+    use std::sync::atomic::AtomicU64;
+
+    #[test]
+    fn a_signal_to_program_and_group_is_one_request() {
+        let first = AtomicU64::new(0);
+        assert!(!is_second(&first, 15, 0));
+        assert!(!is_second(&first, 15, 3));
+        assert!(!is_second(&first, 15, SAME_REQUEST));
+        assert!(is_second(&first, 15, SAME_REQUEST + 1));
+        assert!(is_second(&first, 2, 3));
+    }
 }
