@@ -13,7 +13,7 @@ fn shipped(name: &str) -> String {
 }
 
 fn checked(arguments: &[&str]) -> Value {
-    let output = coulter().arg("check").arg("--json").args(arguments).output().unwrap();
+    let output = coulter().args(["check", "--json", "--untimed"]).args(arguments).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&output.stdout).unwrap()
 }
@@ -33,7 +33,7 @@ fn new_writes_a_case_that_checks() {
         ("column", "column_collapse.toml"),
     ] {
         coulter().current_dir(&folder).args(["new", template]).assert().success();
-        coulter().current_dir(&folder).args(["check", file]).assert().success();
+        coulter().current_dir(&folder).args(["check", "--untimed", file]).assert().success();
         let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
         assert!(!text.contains("#:schema "), "there is no schema beside {file}");
     }

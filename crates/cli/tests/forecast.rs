@@ -254,7 +254,8 @@ fn plate_constants_and_cone_index_make_more_models_apply() {
         "forecast.cone_index=0.3 MPa",
     ]);
     assert_eq!(model(&typed, "Bekker"), model(&seen, "Bekker"));
-    let checked = coulter().arg("check").arg(shipped("light_disc.toml")).args(given).output().unwrap();
+    let checked =
+        coulter().args(["check", "--untimed"]).arg(shipped("light_disc.toml")).args(given).output().unwrap();
     assert!(checked.status.success());
     assert!(String::from_utf8_lossy(&checked.stdout).contains("`coulter forecast` only"));
     let with_bow_wave = json(&["--set", "forecast.bow_wave=0.3", "--set", "forecast.factors=\"lyamin\""]);

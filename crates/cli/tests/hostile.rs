@@ -95,7 +95,7 @@ fn names_of_devices_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("nul.toml");
     std::fs::copy(disc(), &path).unwrap();
-    let seen = coulter(&["check", "--json", path.to_str().unwrap()]);
+    let seen = coulter(&["check", "--json", "--untimed", path.to_str().unwrap()]);
     assert!(String::from_utf8_lossy(&seen.stdout).contains("\"nul-case\""));
 }
 

@@ -35,6 +35,9 @@ pub(super) struct Arguments {
     /// Also show the variations that `coulter run --confidence` would run, and what they cost
     #[arg(long)]
     confidence: bool,
+    /// Leave out how long a run would take, which takes a second or two to measure
+    #[arg(long)]
+    untimed: bool,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
@@ -49,7 +52,7 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     let overrides = crate::common::overrides(&arguments.overrides, arguments.accept_drained);
     let case = case::load(&arguments.case, &overrides)?;
     let cost = estimate::cost(&case);
-    let seconds = run_time::estimate(&case, &cost);
+    let seconds = if arguments.untimed { None } else { run_time::estimate(&case, &cost) };
     let variations = match crate::common::asked(arguments.meshes, arguments.confidence, &[]) {
         Some(asked) => Some(variation_costs(&arguments.case, &overrides, &case, seconds, &asked)?),
         None => None,
