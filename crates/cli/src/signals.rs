@@ -1,7 +1,7 @@
 //! Signals: SIGINT, SIGTERM and SIGHUP stop a run at its next step, SIGUSR1 makes it write a checkpoint and
 //! continue. A second stop signal ends the program immediately, unless it is the first once more: `timeout`
-//! and some schedulers signal a program, and then its group. SIGXFSZ becomes an error of the write that causes
-//! it.
+//! and some schedulers signal a program, and then its group. SIGXFSZ becomes an error of the write that
+//! causes it.
 
 use coulter::interrupts::Interrupts;
 use signal_hook::consts::{SIGINT, SIGTERM};

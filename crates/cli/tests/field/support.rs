@@ -44,7 +44,8 @@ impl Desk {
         self.answer(Command::cargo_bin("coulter").unwrap().args(arguments).args(untimed))
     }
 
-    /// The same as it stands, killed after so many seconds of processor time: the clock of a busy machine says nothing.
+    /// The same as it stands, killed after so many seconds of processor time: the clock of a busy machine
+    /// says nothing.
     #[track_caller]
     pub(crate) fn expect_within(&self, seconds: &str, code: i32, arguments: &[&str]) -> Answer {
         let mut shell = Command::new("sh");
