@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Finds words and phrases in the pages that are not ours; scripts/book/not-ours.txt lists them and what to write instead."""
+"""Finds words and phrases in the pages that are not ours, listed in scripts/book/not-ours.txt with what to write instead, and lines
+that the book would leave out."""
 
 import re
 import subprocess
@@ -19,7 +20,7 @@ def prose(text):
 
 
 def main():
-    rules = []
+    rules = [(re.compile(r"^ *%", re.M), "the book takes this line for a comment; break it elsewhere")]
     for line in (HERE / "not-ours.txt").read_text(encoding="utf-8").splitlines():
         if line and not line.startswith("#"):
             pattern, better = line.rsplit("|", 1)
