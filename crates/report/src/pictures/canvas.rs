@@ -20,7 +20,6 @@ pub(super) const INK: Tone = [[30, 30, 30], [214, 218, 222]];
 
 /// Supersampling: every pixel of the file is drawn as a square of this many pixels. A fuzzer, which looks at
 /// no picture, has four times the runs with one.
-#[allow(unexpected_cfgs)] // of scripts/fuzz
 pub(crate) const SUPERSAMPLING: usize = if cfg!(fuzzing) { 1 } else { 2 };
 const FONT: &[u8] = include_bytes!("../../assets/DejaVuSans-subset.ttf");
 

@@ -121,7 +121,7 @@ impl Store {
             return Err(StudyError::Foreign(folder.to_path_buf()));
         }
         store.check_folders()?;
-        files::make_folder(&store.inside(OUTCOMES))?;
+        files::make_folder(&store.inside(""))?;
         files::write(&store.inside(STUDY), text.as_bytes())?;
         let mut cases = study.cases.clone();
         for (n, case) in cases.iter_mut().enumerate() {
@@ -270,7 +270,7 @@ impl Store {
     pub fn enter(&self, outcome: &Outcome) -> Result<(), StudyError> {
         let mut text = serde_json::to_string_pretty(outcome).unwrap_or_default();
         text.push('\n');
-        files::write(&self.outcome_file(&outcome.id), text.as_bytes())?;
+        write_with_folder(&self.outcome_file(&outcome.id), text.as_bytes())?;
         files::forget(&self.failure_file(&outcome.id));
         Ok(())
     }
@@ -280,7 +280,7 @@ impl Store {
     /// # Errors
     /// Where it cannot be written.
     pub fn note_failure(&self, id: &CaseId, why: &str) -> Result<(), StudyError> {
-        Ok(files::write(&self.failure_file(id), why.as_bytes())?)
+        write_with_folder(&self.failure_file(id), why.as_bytes())
     }
 
     /// Why a case could not be brought to an outcome; `None` where it has not been tried, or the attempt was
@@ -297,10 +297,15 @@ impl Store {
     /// Where it cannot be written.
     pub fn write(&self, name: &str, content: &[u8]) -> Result<PathBuf, StudyError> {
         let file = self.inside(name);
-        files::make_folder(&file.beside(""))?;
-        files::write(&file, content)?;
+        write_with_folder(&file, content)?;
         Ok(file.path())
     }
+}
+
+/// Writes a file; its folder may have been removed, so that cases are run again.
+fn write_with_folder(file: &Inside, content: &[u8]) -> Result<(), StudyError> {
+    files::make_folder(&file.beside(""))?;
+    Ok(files::write(file, content)?)
 }
 
 const LIST: &str = "cases.jsonl";
