@@ -34,6 +34,8 @@ suppress_warnings = ["misc.highlighting_failure"]
 katex_prerender = True
 # On a machine that is busy with other things [s].
 katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = 60.0
+# By a file the extension may connect before its server listens; by a port it tries again.
+katex.KaTeXServer.start_server_process = katex.KaTeXServer.start_network_socket
 katex_css_path = "katex.min.css"
 katex_options = "throwOnError: true, strict: false"
 
