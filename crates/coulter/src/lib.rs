@@ -7,9 +7,11 @@ pub mod forecast;
 pub mod interrupts;
 pub mod output;
 pub mod run;
+pub mod session;
 pub mod simulation;
 mod stages;
 
 pub use case;
 pub use input::printed;
+pub use mechanics;
 pub use results::{confidence, formats, history, trust};

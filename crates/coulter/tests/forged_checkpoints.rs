@@ -38,6 +38,7 @@ fn run(case: &Case, folder: &Path, start: Start) -> Result<End, RunError> {
         warnings: &[],
         interrupts: &interrupts,
         typed: CASE,
+        source_name: "case.toml",
         communicator: alone,
     };
     run_followed(case, &options, &mut Stopping)

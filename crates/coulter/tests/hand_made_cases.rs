@@ -178,6 +178,7 @@ fn a_case_that_is_not_valid_cannot_be_run() {
         warnings: &[],
         interrupts: &interrupts,
         typed: "",
+        source_name: "case.toml",
         communicator: coulter::run::alone,
     };
     assert!(matches!(run(&case, &options), Err(RunError::Case(_))));

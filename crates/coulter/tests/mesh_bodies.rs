@@ -91,6 +91,7 @@ fn a_results_folder_holds_the_files_of_its_case() {
         warnings: &[],
         interrupts: &interrupts,
         typed: &typed,
+        source_name: "case.toml",
         communicator: coulter::run::alone,
     };
     run::run(&case, &options(Start::Anew)).unwrap();

@@ -7,13 +7,14 @@ use crate::gimbal;
 use crate::inertia::Inertia;
 use crate::motion::Motion;
 use crate::pose::Pose;
+use crate::steering::Steering;
 use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// A body: its mass properties and its degrees of freedom.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Mass properties of the whole body.
     pub inertia: Inertia,
@@ -26,6 +27,8 @@ pub struct Body {
     pub modelled_fraction: f64,
     /// The fluid that the body moves in.
     pub fluid: Fluid,
+    /// How another program steers the body, if one does.
+    pub steering: Option<Steering>,
 }
 
 impl Body {
@@ -38,7 +41,31 @@ impl Body {
     /// A body with given degrees of freedom, modelled as a whole.
     #[must_use]
     pub fn new(inertia: Inertia, motion: [Motion; 6]) -> Self {
-        Self { inertia, motion, modelled_fraction: 1.0, fluid: Fluid::NONE }
+        Self { inertia, motion, modelled_fraction: 1.0, fluid: Fluid::NONE, steering: None }
+    }
+
+    /// The body as another program steers it. Where that replaces its motion, mass and fluid are those of the
+    /// other program.
+    #[must_use]
+    pub fn steered(self, steering: Steering) -> Self {
+        let motion = match steering {
+            Steering::Loaded(_) => return Self { steering: Some(steering), ..self },
+            Steering::Prescribed(_) => [const { Motion::Fixed }; 6],
+            Steering::Coupled { .. } => [const { Motion::FREE }; 6],
+        };
+        let modelled_fraction = self.modelled_fraction;
+        Self { modelled_fraction, steering: Some(steering), ..Self::new(Inertia::NONE, motion) }
+    }
+
+    /// Twist of the prescribed motions at their speeds, for rotational freedoms with these axes; other
+    /// entries are ignored.
+    pub(crate) fn driven(&self, speeds: &[f64; 6], axes: &gimbal::Axes) -> Twist {
+        if let Some(Steering::Prescribed(_)) = self.steering {
+            return Twist::of(*speeds);
+        }
+        let each = gimbal::unit_twists(axes).into_iter().zip(speeds).zip(&self.motion);
+        let moving = each.filter(|((_, speed), motion)| !motion.is_free() && **speed != 0.0);
+        moving.fold(Twist::ZERO, |sum, ((column, speed), _)| sum + *speed * column)
     }
 
     /// Whether no rotation is fixed or prescribed.
@@ -72,6 +99,9 @@ impl Body {
         if !self.inertia.tensor.is_finite() {
             return Err(Invalid::Tensor);
         }
+        if self.steering.is_some_and(|steering| steering.replaces_motion()) {
+            return Ok(());
+        }
         let may_turn = self.motion[3..].iter().any(Motion::is_free);
         let may_move = self.motion.iter().any(Motion::is_free);
         match self.inertia.check() {
@@ -81,9 +111,13 @@ impl Body {
         }
     }
 
-    /// Speeds of the prescribed motions at a time [s], in [m/s or rad/s]; 0 for the others.
+    /// Speeds of the prescribed motions at a time [s], in [m/s or rad/s]; 0 for the others. Of a twist that
+    /// another program prescribes, its components.
     #[must_use]
     pub fn speeds(&self, time: f64) -> [f64; 6] {
+        if let Some(Steering::Prescribed(twist)) = self.steering {
+            return twist.components();
+        }
         self.motion.each_ref().map(|motion| motion.speed(time))
     }
 
@@ -110,31 +144,44 @@ impl Body {
         if self.rotates_freely() {
             allowed.angular = twist.angular;
         }
-        let inertia = Configuration::new(&pose, &Twist::ZERO, 0.0).mean_inertia(&self.inertia);
         BodyState {
             pose,
             twist: allowed,
-            momentum: Momentum {
-                linear: inertia.mass * allowed.at(inertia.arm),
-                angular: inertia.tensor * allowed.angular,
-            },
+            momentum: self.momentum(&pose, &allowed),
+            is_elsewhere: false,
             speeds: std::array::from_fn(|n| if self.motion[n].is_free() { 0.0 } else { speeds[n] }),
             tilt_axis,
         }
     }
 
     /// The state in which other motions take over: pose, velocity and momentum stay, and the prescribed
-    /// motions begin at the speeds that the body has.
+    /// motions begin at the speeds that the body has. A body that another program moves has its momentum
+    /// there, and gets it from its velocity when it returns.
     #[must_use]
     pub fn taken_over(&self, state: &BodyState) -> BodyState {
+        let is_elsewhere = self.steering.is_some_and(|steering| steering.replaces_motion());
+        let speeds = state.twist.components();
+        if is_elsewhere {
+            return BodyState { speeds, momentum: Momentum::default(), is_elsewhere, ..*state };
+        }
         let rates = state.rates();
+        let momentum =
+            if state.is_elsewhere { self.momentum(&state.pose, &state.twist) } else { state.momentum };
         BodyState {
+            momentum,
+            is_elsewhere,
             speeds: std::array::from_fn(|n| match self.motion[n] {
                 Motion::Fixed | Motion::Free { .. } => 0.0,
                 Motion::Prescribed { .. } | Motion::Course(_) => rates[n],
             }),
             ..*state
         }
+    }
+
+    /// Momentum of the body at a pose with a velocity.
+    fn momentum(&self, pose: &Pose, twist: &Twist) -> Momentum {
+        let inertia = Configuration::new(pose, &Twist::ZERO, 0.0).mean_inertia(&self.inertia);
+        Momentum { linear: inertia.mass * twist.at(inertia.arm), angular: inertia.tensor * twist.angular }
     }
 
     /// Kinetic energy [J] of the whole body, prescribed motions included.
@@ -169,12 +216,34 @@ impl BodyState {
         self.tilt_axis
     }
 
+    /// Whether another program moves the body and keeps its momentum.
+    #[must_use]
+    pub fn is_elsewhere(&self) -> bool {
+        self.is_elsewhere
+    }
+
     /// Speeds along x, y, z, of yaw, tilt and spin [m/s or rad/s].
     #[must_use]
     pub fn rates(&self) -> [f64; 6] {
-        let axes = [DVec3::Z, self.tilt_axis, self.pose.axes().y_axis];
-        let ([yaw, tilt, spin], linear) = (gimbal::rates(self.twist.angular, &axes), self.twist.linear);
+        self.rates_of(&self.twist)
+    }
+
+    /// Speeds of a twist along x, y, z, of yaw, tilt and spin [m/s or rad/s], in the attitude of the body.
+    #[must_use]
+    pub fn rates_of(&self, twist: &Twist) -> [f64; 6] {
+        let ([yaw, tilt, spin], linear) = (gimbal::rates(twist.angular, &self.axes()), twist.linear);
         [linear.x, linear.y, linear.z, yaw, tilt, spin]
+    }
+
+    /// Twists of unit speed along x, y, z, of yaw, tilt and spin.
+    #[must_use]
+    pub fn unit_twists(&self) -> [Twist; 6] {
+        gimbal::unit_twists(&self.axes())
+    }
+
+    /// Axes of yaw, tilt and spin.
+    fn axes(&self) -> gimbal::Axes {
+        [DVec3::Z, self.tilt_axis, self.pose.axes().y_axis]
     }
 }
 
@@ -214,4 +283,6 @@ pub struct BodyState {
     pub(crate) speeds: [f64; 6],
     /// Axis of tilt.
     pub(crate) tilt_axis: DVec3,
+    /// Whether another program moves the body and keeps its momentum.
+    pub(crate) is_elsewhere: bool,
 }

@@ -1,7 +1,7 @@
-//! The directions in which a body can move: the columns of S, and the twist that is prescribed.
+//! The directions in which a body can move: the columns of S.
 
-use crate::body::Body;
 use crate::gimbal::{Axes, unit_twists};
+use crate::motion::Motion;
 use crate::twist::Twist;
 use glam::DVec3;
 
@@ -13,13 +13,13 @@ pub(crate) struct Directions {
 }
 
 impl Directions {
-    /// The free directions of a body whose rotational freedoms have the given axes. A body that rotates
-    /// freely needs none of them.
-    pub(crate) fn new(body: &Body, axes: &Axes) -> Self {
+    /// The free directions of a body with these motions, whose rotational freedoms have the given axes. A
+    /// body that rotates freely needs none of them.
+    pub(crate) fn new(motion: &[Motion; 6], axes: &Axes) -> Self {
         let mut directions = Self::default();
-        let axes = if body.rotates_freely() { &DVec3::AXES } else { axes };
+        let axes = if motion[3..].iter().all(Motion::is_free) { &DVec3::AXES } else { axes };
         for (n, column) in unit_twists(axes).into_iter().enumerate() {
-            if body.motion[n].is_free() {
+            if motion[n].is_free() {
                 directions.columns[directions.number] = column;
                 directions.number += 1;
             }
@@ -36,11 +36,4 @@ impl Directions {
     pub(crate) fn sum(&self, speeds: &[f64; 6]) -> Twist {
         self.columns().iter().zip(speeds).fold(Twist::ZERO, |sum, (column, speed)| sum + *speed * *column)
     }
-}
-
-/// Twist of the prescribed motions at their speeds; other entries are ignored.
-pub(crate) fn driven(body: &Body, speeds: &[f64; 6], axes: &Axes) -> Twist {
-    let each = unit_twists(axes).into_iter().zip(speeds).zip(&body.motion);
-    let moving = each.filter(|((_, speed), motion)| !motion.is_free() && **speed != 0.0);
-    moving.fold(Twist::ZERO, |sum, ((column, speed), _)| sum + *speed * column)
 }

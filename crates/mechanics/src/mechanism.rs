@@ -4,6 +4,7 @@ use crate::body::{Body, BodyState};
 use crate::configuration::Configuration;
 use crate::error::Invalid;
 use crate::joint::Joint;
+use crate::steering::Steering;
 use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::DVec3;
@@ -49,6 +50,18 @@ impl Mechanism {
     /// A mechanism of these bodies and joints without [`Mechanism::check`].
     #[must_use]
     pub fn unchecked(bodies: Vec<Body>, joints: Vec<Arc<dyn Joint>>) -> Self {
+        Self { bodies, joints }
+    }
+
+    /// The mechanism with bodies that another program steers, in their order.
+    #[must_use]
+    pub fn steered(self, steering: &[Option<Steering>]) -> Self {
+        let Self { mut bodies, joints } = self;
+        for (body, steering) in bodies.iter_mut().zip(steering) {
+            if let Some(steering) = steering {
+                *body = body.clone().steered(*steering);
+            }
+        }
         Self { bodies, joints }
     }
 

@@ -7,12 +7,13 @@
 
 use crate::body::{Body, BodyState, Momentum};
 use crate::configuration::Configuration;
-use crate::freedom::{self, Directions};
+use crate::freedom::Directions;
 use crate::gimbal::{self, Axes};
 use crate::impulses::Impulses;
 use crate::mechanism::{Mechanism, MechanismState};
 use crate::mobility::Mobility;
 use crate::moving::{MovingBody, MovingJoint};
+use crate::steering::Steering;
 use crate::step::{Conditions, Step};
 use crate::system::{Answer, on_body, rows, share_out};
 use crate::twist::Twist;
@@ -82,7 +83,7 @@ impl Mechanism {
             moving.tilt_axis = now.tilt_axis;
             moving.inertia = moving.configuration.mean_inertia(&body.inertia);
             moving.axes = axes(moving, now);
-            moving.mobility = Mobility::new(&moving.inertia, &Directions::new(body, &moving.axes));
+            moving.mobility = mobility(body, moving);
             moving.impulses.load = load(body, &moving.axes, &conditions) + drag(body, now, conditions.dt);
         }
         self.find_rows(step);
@@ -99,7 +100,7 @@ impl Mechanism {
                 if body.motion[3].is_fixed() { now.tilt_axis } else { gimbal::tilt_axis(end, now.tilt_axis) };
             moving.inertia = moving.configuration.mean_inertia(&body.inertia);
             moving.axes = axes(moving, now);
-            moving.mobility = Mobility::new(&moving.inertia, &Directions::new(body, &moving.axes));
+            moving.mobility = mobility(body, moving);
             let lifted = moving.configuration.mean(body.fluid.centre);
             moving.impulses.gravity = Wrench::at(moving.inertia.arm, body.inertia.mass * dt * gravity)
                 + body.fluid.buoyancy(lifted, dt, gravity);
@@ -119,10 +120,13 @@ impl Mechanism {
     /// The start of the step: contact, loads and changes of prescribed speeds, and what joints and supports
     /// answer.
     fn react(&self, state: &MechanismState, step: &mut Step) {
-        let Step { bodies, joints, system, .. } = step;
+        let Step { bodies, joints, system, conditions, .. } = step;
         for ((body, now), moving) in self.bodies().iter().zip(&state.bodies).zip(bodies.iter_mut()) {
             let change = std::array::from_fn(|n| moving.speeds[n] - now.speeds[n]);
-            let jump = freedom::driven(body, &change, &moving.axes);
+            let jump = match body.steering {
+                Some(Steering::Coupled { acceleration, .. }) => conditions.dt * acceleration,
+                _ => body.driven(&change, &moving.axes),
+            };
             moving.kick = respond(moving, &(moving.impulses.contact + moving.impulses.load), &jump);
         }
         system.factor(bodies, joints, Answer::Rigid);
@@ -145,7 +149,10 @@ impl Mechanism {
     fn move_within(&self, step: &mut Step) -> f64 {
         let Step { bodies, joints, system, .. } = step;
         for (body, moving) in self.bodies().iter().zip(bodies.iter_mut()) {
-            let driven = freedom::driven(body, &moving.speeds, &moving.axes);
+            let driven = match body.steering {
+                Some(Steering::Coupled { .. }) => moving.before + moving.kick,
+                _ => body.driven(&moving.speeds, &moving.axes),
+            };
             moving.next = respond(moving, &mean_momentum(moving), &driven);
         }
         system.factor(bodies, joints, Answer::All);
@@ -171,6 +178,14 @@ impl Mechanism {
     }
 }
 
+/// Mobility in the configuration that a body has so far.
+fn mobility(body: &Body, moving: &MovingBody) -> Mobility {
+    match body.steering {
+        Some(Steering::Coupled { mobility, .. }) => mobility,
+        _ => Mobility::new(&moving.inertia, &Directions::new(&body.motion, &moving.axes)),
+    }
+}
+
 /// Mean axes of the rotational freedoms over the step.
 fn axes(moving: &MovingBody, now: &BodyState) -> Axes {
     let configuration = &moving.configuration;
@@ -180,7 +195,10 @@ fn axes(moving: &MovingBody, now: &BodyState) -> Axes {
 /// Impulse of the loads: each along the axis of its freedom.
 fn load(body: &Body, axes: &Axes, conditions: &Conditions) -> Wrench {
     let middle = conditions.time + 0.5 * conditions.dt;
-    let mut sum = Wrench::ZERO;
+    let mut sum = match body.steering {
+        Some(Steering::Loaded(load)) => conditions.dt * load,
+        _ => Wrench::ZERO,
+    };
     for (n, motion) in body.motion.iter().enumerate() {
         let impulse = motion.load(middle) * conditions.dt;
         if impulse != 0.0 {
@@ -216,8 +234,12 @@ fn mean_momentum(moving: &MovingBody) -> Wrench {
 }
 
 /// What drives and supports add to an impulse for the body to take on a twist. They do not act along free
-/// directions: there the round-off is removed, so that momentum in them is kept.
+/// directions: there the round-off is removed, so that momentum in them is kept. Another program that moves
+/// the body takes up all.
 fn support(body: &Body, moving: &MovingBody, twist: &Twist, free: &Wrench) -> Wrench {
+    if body.steering.is_some_and(|steering| steering.replaces_motion()) {
+        return Wrench::ZERO - *free;
+    }
     if body.moves_freely() {
         return Wrench::ZERO;
     }

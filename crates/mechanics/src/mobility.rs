@@ -8,6 +8,9 @@ use crate::wrench::Wrench;
 use glam::{DMat3, DVec3};
 use numerics::semidefinite;
 
+/// Difference of entries that should be alike, over the largest.
+const SYMMETRIC: f64 = 1e-6;
+
 /// Mobility of a body: the symmetric 6×6 matrix that maps an impulse about the reference point to the change
 /// of the twist.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -44,6 +47,62 @@ impl Mobility {
             mobility.angular += outer(twist.angular, column.angular);
         }
         mobility
+    }
+
+    /// The mobility of these rows: by velocity along x, y, z and angular velocity about them, per impulse
+    /// along and angular impulse about them. `None` unless they are symmetric and no impulse is answered
+    /// backwards.
+    #[must_use]
+    pub fn of(rows: &[[f64; 6]; 6]) -> Option<Self> {
+        let size = rows.iter().flatten().fold(0.0_f64, |size, entry| size.max(entry.abs()));
+        let is_symmetric =
+            (0..6).all(|i| (0..i).all(|j| (rows[i][j] - rows[j][i]).abs() <= SYMMETRIC * size));
+        if !(size.is_finite() && is_symmetric && semidefinite::is_semidefinite(rows.as_flattened(), 6)) {
+            return None;
+        }
+        let block = |i: usize, j: usize| {
+            DMat3::from_cols_array_2d(&std::array::from_fn(|column| {
+                std::array::from_fn(|row| 0.5 * (rows[i + row][j + column] + rows[j + column][i + row]))
+            }))
+        };
+        Some(Self { linear: block(0, 0), coupling: block(0, 3), angular: block(3, 3) })
+    }
+
+    /// The mobility in a mechanism that does not let the body move along these twists, and what is left of a
+    /// change of its twist there: W − W C (Cᵀ W C)⁻¹ Cᵀ W.
+    #[must_use]
+    pub fn held(&self, along: &[Twist], change: Twist) -> (Self, Twist) {
+        let n = along.len();
+        // The impulses that hold are about the same axes as the twists.
+        let impulses: Vec<Wrench> =
+            along.iter().map(|t| Wrench { force: t.linear, moment: t.angular }).collect();
+        let answers: Vec<Twist> = impulses.iter().map(|impulse| self.response(impulse)).collect();
+        let mut matrix = vec![0.0; n * n];
+        for (i, impulse) in impulses.iter().enumerate() {
+            for (j, answer) in answers.iter().enumerate() {
+                matrix[i * n + j] = impulse.dot(answer);
+            }
+        }
+        semidefinite::factor(&mut matrix, n);
+        let hold = |twist: Twist| {
+            let mut held: Vec<f64> = impulses.iter().map(|impulse| impulse.dot(&twist)).collect();
+            semidefinite::solve(&matrix, &mut held);
+            answers.iter().zip(held).fold(twist, |sum, (answer, impulse)| sum - impulse * *answer)
+        };
+        let column = |n: usize| {
+            let unit = DVec3::AXES[n % 3];
+            let impulse =
+                if n < 3 { Wrench { force: unit, moment: DVec3::ZERO } } else { Wrench::couple(unit) };
+            hold(self.response(&impulse))
+        };
+        let [linear, angular] = [0, 3].map(|first| [0, 1, 2].map(|n| column(first + n)));
+        let of = |columns: [DVec3; 3]| DMat3::from_cols(columns[0], columns[1], columns[2]);
+        let mobility = Self {
+            linear: of(linear.map(|twist| twist.linear)),
+            coupling: of(angular.map(|twist| twist.linear)),
+            angular: of(angular.map(|twist| twist.angular)),
+        };
+        (mobility, hold(change))
     }
 
     /// Change of the twist by an impulse.

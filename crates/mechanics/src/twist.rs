@@ -17,6 +17,19 @@ impl Twist {
     /// No motion.
     pub const ZERO: Self = Self { linear: DVec3::ZERO, angular: DVec3::ZERO };
 
+    /// Components of the velocity [m/s] and of the angular velocity [rad/s].
+    #[must_use]
+    pub fn components(&self) -> [f64; 6] {
+        let ([vx, vy, vz], [wx, wy, wz]) = (self.linear.to_array(), self.angular.to_array());
+        [vx, vy, vz, wx, wy, wz]
+    }
+
+    /// The twist of these components.
+    #[must_use]
+    pub fn of([vx, vy, vz, wx, wy, wz]: [f64; 6]) -> Self {
+        Self { linear: DVec3::new(vx, vy, vz), angular: DVec3::new(wx, wy, wz) }
+    }
+
     /// Velocity of the body's point at `arm` from the reference point [m/s].
     #[must_use]
     #[inline]

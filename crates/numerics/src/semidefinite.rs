@@ -39,6 +39,45 @@ pub fn solve(factors: &[f64], b: &mut [f64]) {
     }
 }
 
+/// Whether a symmetric matrix of `n` rows is positive semi-definite, up to round-off. Rows may differ in
+/// unit.
+#[must_use]
+pub fn is_semidefinite(a: &[f64], n: usize) -> bool {
+    const ROUND_OFF: f64 = 1e-9;
+    let scale: Vec<f64> = (0..n).map(|i| a[i * n + i]).collect();
+    if !a.iter().all(|entry| entry.is_finite()) || scale.iter().any(|diagonal| *diagonal < 0.0) {
+        return false;
+    }
+    let mut scaled = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..n {
+            let size = (scale[i] * scale[j]).sqrt();
+            let entry = a[i * n + j];
+            if size == 0.0 && entry != 0.0 {
+                return false;
+            }
+            scaled[i * n + j] = if size > 0.0 { entry / size } else { 0.0 };
+        }
+        scaled[i * n + i] += ROUND_OFF;
+    }
+    // With the round-off added it is definite, and has a Cholesky factor.
+    for i in 0..n {
+        for j in 0..=i {
+            let known: f64 = (0..j).map(|k| scaled[i * n + k] * scaled[j * n + k]).sum();
+            let rest = scaled[i * n + j] - known;
+            if i == j {
+                if rest <= 0.0 {
+                    return false;
+                }
+                scaled[i * n + i] = rest.sqrt();
+            } else {
+                scaled[i * n + j] = rest / scaled[j * n + j];
+            }
+        }
+    }
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -51,6 +90,17 @@ mod tests {
         factor(&mut a, 3);
         solve(&a, &mut b);
         assert!(b.iter().zip(x).all(|(b, x)| (b - x).abs() < 1e-14), "{b:?}");
+    }
+
+    #[test]
+    fn semidefinite_matrices_are_told_from_others() {
+        assert!(is_semidefinite(&[4.0, 1e-6, 1e-6, 1e-12], 2));
+        assert!(is_semidefinite(&[1.0, 2.0, 2.0, 4.0], 2) && is_semidefinite(&[0.0; 9], 3));
+        for wrong in
+            [[1.0, 2.0, 2.0, 3.9], [-1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 1.0, 1.0], [f64::NAN, 0.0, 0.0, 1.0]]
+        {
+            assert!(!is_semidefinite(&wrong, 2), "{wrong:?}");
+        }
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! Work that goes on beside the interpreter: on a thread of its own, while the calling thread serves what it
-//! asks and watches for Ctrl-C. The only file of the crate that starts threads, with `pool`.
+//! asks and watches for Ctrl-C. The only file of the crate that starts threads, with `pool` and `session`.
 
 use crate::failure::internal;
 use coulter::interrupts::Interrupts;

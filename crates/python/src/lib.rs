@@ -12,6 +12,7 @@ mod follow;
 mod forecast;
 mod pool;
 mod run;
+mod session;
 mod source;
 mod sweep;
 
@@ -23,6 +24,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("RESULTS_FORMAT", coulter::formats::RESULTS)?;
     module.add("Failure", module.py().get_type::<failure::NativeFailure>())?;
+    module.add_class::<session::Session>()?;
     module.add_function(wrap_pyfunction!(check::check, module)?)?;
     module.add_function(wrap_pyfunction!(command::main, module)?)?;
     module.add_function(wrap_pyfunction!(follow::sample_columns, module)?)?;

@@ -30,7 +30,7 @@ struct RunCall {
 }
 
 /// What to do with a folder that holds a run.
-fn start(word: &str) -> PyResult<Start> {
+pub(crate) fn start(word: &str) -> PyResult<Start> {
     match word {
         "new" => Ok(Start::Anew),
         "replace" => Ok(Start::Replace),

@@ -8,7 +8,6 @@ use results::confidence::{Confidence, Status, VariationResult, VariedRun, evalua
 use results::files::{Inside, Named, OutputError, VARIATIONS, make_folder};
 use results::folder::{Contents, RunRecord, inspect};
 use results::history::History;
-use results::tables::read_history;
 use results::trust::Verdict;
 use std::path::{Path, PathBuf};
 
@@ -68,7 +67,7 @@ fn intervals(
         .zip(&histories)
         .map(|(result, history)| VariedRun { result, history: history.as_ref() })
         .collect();
-    let history = read_history(own, &record.names(), true)?;
+    let history = record.history(own, true)?;
     let confidence = Confidence { width_m: record.cell_width, ..confidence };
     let bodies = (&record.bodies[..], &record.setting.bodies[..]);
     Ok(evaluate(confidence, (&history, verdict), &runs, bodies, record.steady_part()))
@@ -130,7 +129,7 @@ fn read(dir: &Path, result: &mut VariationResult) -> Result<Option<History>, Out
         result.because = Some(check.map_or_else(|| "its run is broken".to_owned(), |check| check.line()));
         return Ok(None);
     }
-    read_history(&folder, &record.names(), true).map(Some)
+    record.history(&folder, true).map(Some)
 }
 
 /// The intervals as they are read back from a file, in which a number may differ in its last bit.

@@ -16,10 +16,7 @@ use results::folder::{Log, Outcome, RunRecord, RunStatistics, clear, clear_besid
 use results::history::rim::RimLine;
 use results::history::{History, RutSection};
 use results::overlay::Overlay;
-use results::tables::{
-    HistoryFiles, HistoryNames, read_history, read_rims, validate_history, write_filtered, write_ground,
-    write_rims,
-};
+use results::tables::{HistoryFiles, read_rims, validate_history, write_filtered, write_ground, write_rims};
 use solver::precision::Precision;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -146,10 +143,7 @@ impl Results {
         write_rims(&self.dir, &history.names, &rims)?;
         write_filtered(&self.dir, history, &self.record.bodies, self.record.filter_cutoff)?;
         // As written, so that a report that is rebuilt from the files is the same to the last digit.
-        let written = (
-            &read_history(&self.dir, &HistoryNames::of(history), true)?,
-            &*read_rims(&self.dir, &history.names)?,
-        );
+        let written = (&self.record.history(&self.dir, true)?, &*read_rims(&self.dir, &history.names)?);
         report(&self.dir, &self.record, &summary, written, ReportWishes::default())?;
         // Last: until it says how the run ended, a resumed run repeats all this.
         self.record.write(&self.dir)?;
@@ -264,7 +258,7 @@ pub fn rebuild_report_with(dir: &Path, wishes: ReportWishes) -> Result<PathBuf, 
     let record = RunRecord::read(dir)?;
     let names = record.names();
     let is_whole = record.statistics.outcome.is_end();
-    let history = read_history(dir, &names, is_whole)?;
+    let history = record.history(dir, is_whole)?;
     if record.statistics.outcome == Outcome::Finished {
         validate_history(&history).map_err(|problem| OutputError::content(dir, problem))?;
     }

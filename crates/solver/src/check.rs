@@ -41,14 +41,19 @@ pub(crate) fn check<R: Kernels>(
     stays_inside(model, state)
 }
 
-/// No body may leave the box along an axis of free motion.
+/// No body may leave the box along an axis of free motion, or where another program leads it.
 fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     const SIDES: [[&str; 2]; 3] =
         [["behind", "ahead"], ["at its low y side", "at its high y side"], ["below", "above"]];
     let touching = model.bodies.iter().enumerate().filter(|(_, body)| body.shape.has_surface());
     for (n, fixed) in touching {
         let (position, (low, high)) = (state.pose(n).position, fixed.bounds(state.pose(n)));
-        for axis in (0..3).filter(|axis| fixed.motion[*axis].is_free()) {
+        let is_led = state.mechanism.bodies[n].is_elsewhere();
+        let may_leave = |axis: &usize| {
+            let motion = &fixed.motion[*axis];
+            motion.is_free() || is_led && !motion.is_fixed()
+        };
+        for axis in (0..3).filter(may_leave) {
             let ends = model.grid.ends(axis).map(|end| end + state.grid_position[axis]);
             let at = [low[axis], high[axis]];
             // Most bodies reach above the lid from the start: upwards, only a body wholly above it has left

@@ -13,7 +13,7 @@ use crate::kernels::Kernels;
 use crate::model::{Model, RimBin};
 use crate::pore_pressure;
 use crate::state::State;
-use mechanics::{Mechanism, Step};
+use mechanics::{Mechanism, Steering, Step, Work};
 
 /// Threads and scratch memory of a run.
 pub struct Workspace<R: Kernels = f64> {
@@ -82,6 +82,32 @@ impl<R: Kernels> Workspace<R> {
         self.set_motions(model);
         let bodies = self.mechanism.bodies().iter().zip(&mut state.mechanism.bodies);
         bodies.for_each(|(body, now)| *now = body.taken_over(now));
+    }
+
+    /// Work done on a body in the last step.
+    #[must_use]
+    pub fn work(&self, body: usize) -> Work {
+        self.bodies.work(body)
+    }
+
+    /// Another program steers bodies from here on, in their order; the others move as the model says. What a
+    /// body has of kinetic energy goes with it, and counts as external work.
+    pub fn steer(&mut self, model: &Model, state: &mut State<R>, steering: &[Option<Steering>]) {
+        self.mechanism = model.mechanism().steered(steering);
+        let own = model.mechanism();
+        let before = own.kinetic_energy(&state.mechanism);
+        let mut changed = false;
+        for (body, now) in self.mechanism.bodies().iter().zip(&mut state.mechanism.bodies) {
+            let is_elsewhere = body.steering.is_some_and(|steering| steering.replaces_motion());
+            if is_elsewhere != now.is_elsewhere() {
+                *now = body.taken_over(now);
+                changed = true;
+            }
+        }
+        if changed {
+            let gained = own.kinetic_energy(&state.mechanism) - before;
+            state.energy_balance.external += model.modelled_fraction() * gained;
+        }
     }
 
     /// Sets other motions of the model's bodies, of a state in which they have taken over already.

@@ -9,6 +9,7 @@ use coulter::confidence::variations::{Asked, ErrorSource, MESHES, VariationPlan,
 use coulter::interrupts::Interrupts;
 use coulter::output::{OutputError, Summary, checkpoint};
 use coulter::run::{self, Accuracy, Budget, End, Follower, Request, RunError, RunOptions, Start};
+use coulter::simulation::Steerer;
 use coulter::trust::Verdict;
 use std::path::PathBuf;
 
@@ -47,6 +48,7 @@ pub struct PreparedRun {
     start: Start,
     quiet: bool,
     typed: String,
+    source_name: String,
     plan: Option<(VariationPlan, Option<Budget>)>,
     accuracy: Option<Accuracy>,
     /// The option that asks for more than the case itself, followed by a space.
@@ -95,6 +97,7 @@ impl RunRequest {
             start,
             quiet,
             typed,
+            source_name: self.source_name.clone(),
             plan,
             accuracy: self.accuracy.clone(),
             option,
@@ -115,6 +118,19 @@ fn cost(case: &Case, plan: Option<&VariationPlan>) -> Cost {
 }
 
 impl PreparedRun {
+    fn options<'a>(&'a self, interrupts: &'a Interrupts) -> RunOptions<'a> {
+        RunOptions {
+            folder: &self.folder,
+            start: self.start,
+            quiet: self.quiet,
+            warnings: &self.warnings,
+            interrupts,
+            typed: &self.typed,
+            source_name: &self.source_name,
+            communicator: processes::communicator,
+        }
+    }
+
     /// Runs the case to its end, or until `interrupts` ask to stop; `follower` gets every sample of a case
     /// that is run without others beside it, and may stop it. The summary may be that of a broken run:
     /// see [`graded`].
@@ -123,15 +139,7 @@ impl PreparedRun {
     /// [`Failure`] where the run broke down, was stopped (signal 0: by the follower), or could not read or
     /// write its results.
     pub fn run(&self, interrupts: &Interrupts, follower: &mut dyn Follower) -> Result<Box<Summary>, Failure> {
-        let options = RunOptions {
-            folder: &self.folder,
-            start: self.start,
-            quiet: self.quiet,
-            warnings: &self.warnings,
-            interrupts,
-            typed: &self.typed,
-            communicator: processes::communicator,
-        };
+        let options = self.options(interrupts);
         let end = match (&self.accuracy, &self.plan) {
             (Some(accuracy), _) => run::run_accuracy(&self.case, accuracy, &options),
             (None, Some((plan, budget))) => {
@@ -140,6 +148,19 @@ impl PreparedRun {
             (None, None) => run::run_followed(&self.case, &options, follower),
         };
         self.conclude(end, &options)
+    }
+
+    /// Runs the case as another program steers it, as [`PreparedRun::run`].
+    ///
+    /// # Errors
+    /// As [`PreparedRun::run`].
+    pub fn run_steered(
+        &self,
+        interrupts: &Interrupts,
+        steerer: &mut dyn Steerer,
+    ) -> Result<Box<Summary>, Failure> {
+        let options = self.options(interrupts);
+        self.conclude(run::run_steered(&self.case, &options, steerer), &options)
     }
 
     /// What the end of a run means to whoever asked for it.

@@ -113,3 +113,13 @@ fn a_run_finds_cells_for_the_accuracy_that_is_wanted() {
     sandbox.run(&with(&["--accuracy", "5 %", "--meshes", "3"])).is(2, &["cannot be used with"]);
     sandbox.run(&with(&["--accuracy", "5 %", "--without", "mesh"])).is(2, &["accuracy chooses the cells"]);
 }
+
+/// The cells of a run that finds its own are those of a case that is read again, with its files.
+#[test]
+fn files_of_a_case_are_found_beside_it_by_every_mesh() {
+    let sandbox = Sandbox::with_body_from_a_file();
+    let short = ["--set", "run.tow_distance=2 mm", "--set", "grid.cell=25 mm", "--without", "domain,speed"];
+    let wanted = [&short[..], &["--accuracy", "drag 95 %", "--budget", "3x"]].concat();
+    let reply = sandbox.run(&wanted);
+    assert!(variations(&sandbox.summary()).len() >= 2, "{}", reply.err);
+}

@@ -46,6 +46,12 @@ field_interval = "50 ms"
 checkpoint_interval = "0.05 s"
 "#;
 
+/// A block of 0.2 m × 0.1 m × 0.2 m.
+const BLOCK: &str = "\
+    v -0.1 -0.05 -0.1\nv 0.1 -0.05 -0.1\nv -0.1 0.05 -0.1\nv 0.1 0.05 -0.1\n\
+    v -0.1 -0.05 0.1\nv 0.1 -0.05 0.1\nv -0.1 0.05 0.1\nv 0.1 0.05 0.1\n\
+    f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+
 /// Overrides for a very short run.
 pub(crate) const TINY: [&str; 4] = [
     "--set",
@@ -60,13 +66,25 @@ const PATIENCE: Duration = Duration::from_secs(600);
 /// A folder with a case file in it; results go to `out`.
 pub(crate) struct Sandbox {
     folder: TempDir,
+    case: &'static str,
 }
 
 impl Sandbox {
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("case.toml"), CASE).unwrap();
-        Self { folder }
+        Self { folder, case: "case.toml" }
+    }
+
+    /// The case in a folder of its own with a file of its body, run from outside that.
+    pub(crate) fn with_body_from_a_file() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("tools")).unwrap();
+        let from_file = "shape = \"mesh\"\nfile = \"block.obj\"\nunit = \"m\"";
+        let case = CASE.replace("shape = \"disc\"\ndiameter = \"0.2 m\"\nthickness = \"0.08 m\"", from_file);
+        fs::write(folder.path().join("tools/case.toml"), case).unwrap();
+        fs::write(folder.path().join("tools/block.obj"), BLOCK).unwrap();
+        Self { folder, case: "tools/case.toml" }
     }
 
     /// A file or folder of the results.
@@ -86,7 +104,7 @@ impl Sandbox {
     /// `coulter run` on one thread, so that it does not slow down other tests.
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin("coulter"));
-        command.current_dir(&self.folder).args(["run", "case.toml", "-o", "out", "--threads", "1"]);
+        command.current_dir(&self.folder).args(["run", self.case, "-o", "out", "--threads", "1"]);
         command.args(arguments).stdin(Stdio::null());
         command
     }
@@ -105,7 +123,7 @@ impl Sandbox {
     /// `coulter check` on the case.
     pub(crate) fn check(&self, arguments: &[&str]) -> Reply {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin("coulter"));
-        command.current_dir(&self.folder).args(["check", "case.toml"]).args(arguments);
+        command.current_dir(&self.folder).args(["check", self.case]).args(arguments);
         command.output().unwrap().into()
     }
 

@@ -106,7 +106,8 @@ impl Search<'_> {
     /// The case on the cells of a step.
     fn mesh(&self, step: i32) -> Result<Variation, RunError> {
         let taken: Vec<&Case> = self.meshes.iter().map(|mesh| &mesh.variation.case).collect();
-        on_step((self.case, self.options.typed, &self.case.name), step, &taken).map_err(RunError::Case)
+        on_step((self.case, self.options.typed, self.options.source_name), step, &taken)
+            .map_err(RunError::Case)
     }
 
     /// Runs meshes from the coarsest on until three can be used; how a run was stopped, if it was.
@@ -165,7 +166,8 @@ impl Search<'_> {
         let both = [ErrorSource::Mesh, ErrorSource::Precision];
         let without = [&both, &self.accuracy.without[..]].concat();
         let asked = Asked { without, ..Asked::default() };
-        let plan = variations(&base.case, &base.typed, &self.case.name, &asked).map_err(RunError::Case)?;
+        let plan =
+            variations(&base.case, &base.typed, self.options.source_name, &asked).map_err(RunError::Case)?;
         for variation in &plan.variations {
             let mut result = VariationResult {
                 name: variation.name.clone(),

@@ -154,7 +154,7 @@ impl Account<'_> {
                         used.iter().chain(waiting.iter().map(|other| &other.case)).collect();
                     let good: Vec<&Case> =
                         usable.iter().chain(waiting.iter().map(|other| &other.case)).collect();
-                    let own = (self.case, options.typed, self.case.name.as_str());
+                    let own = (self.case, options.typed, options.source_name);
                     waiting.extend(in_place_of(&variation, (&good, &all), own).filter(|_| most > 0));
                 }
                 Some(_) => usable.push(variation.case),

@@ -10,7 +10,7 @@ mod processes;
 mod start;
 pub mod watch;
 
-use crate::simulation::{Simulation, Stop};
+use crate::simulation::{Observer, Simulation, Steerer, Stop};
 use case::{Case, require_valid, resolved};
 use observers::{Checkpoints, Fields, Followed, ProgressBar, Signals, Tables, Watch, statistics};
 use report::pictures::Shown;
@@ -57,23 +57,40 @@ pub fn run_followed(case: &Case, options: &RunOptions, follower: &mut dyn Follow
         // Variations of an earlier result are no longer of this one.
         processes.first_alone(|| Ok(clear_beside(options.folder)?))?;
     }
-    run_locked_followed(case, options, &Part::default(), follower)
+    run_locked_by(case, options, &Part::default(), Leader::Case(follower))
+}
+
+/// Who says how the bodies of a run move.
+enum Leader<'a> {
+    /// The case; with a follower of the run.
+    Case(&'a mut dyn Follower),
+    /// Another program.
+    Steerer(&'a mut dyn Steerer),
+}
+
+/// Runs a case as [`run()`] does, as another program steers it; until that ends the run, it has the folder of
+/// one that is on.
+///
+/// # Errors
+/// As [`run()`].
+pub fn run_steered(case: &Case, options: &RunOptions, steerer: &mut dyn Steerer) -> Result<End, RunError> {
+    require_valid(case)?;
+    let _lock = lock(options)?;
+    if options.start == Start::Replace {
+        clear_beside(options.folder)?;
+    }
+    run_locked_by(case, options, &Part::default(), Leader::Steerer(steerer))
 }
 
 /// Runs a case in a folder that is locked.
 fn run_locked(case: &Case, options: &RunOptions, part: &Part) -> Result<End, RunError> {
-    run_locked_followed(case, options, part, &mut NoFollower)
+    run_locked_by(case, options, part, Leader::Case(&mut NoFollower))
 }
 
-fn run_locked_followed(
-    case: &Case,
-    options: &RunOptions,
-    part: &Part,
-    follower: &mut dyn Follower,
-) -> Result<End, RunError> {
+fn run_locked_by(case: &Case, options: &RunOptions, part: &Part, leader: Leader) -> Result<End, RunError> {
     match case.numerics.precision {
-        resolved::Precision::Double => run_in::<f64>(case, options, part, follower),
-        resolved::Precision::Single => run_in::<f32>(case, options, part, follower),
+        resolved::Precision::Double => run_in::<f64>(case, options, part, leader),
+        resolved::Precision::Single => run_in::<f32>(case, options, part, leader),
     }
 }
 
@@ -81,7 +98,7 @@ fn run_in<R: Precision>(
     case: &Case,
     options: &RunOptions,
     part: &Part,
-    follower: &mut dyn Follower,
+    leader: Leader,
 ) -> Result<End, RunError> {
     let began = Instant::now();
     let Opened { mut simulation, mut fields, mut results } = open::<R>(case, options)?;
@@ -89,7 +106,7 @@ fn run_in<R: Precision>(
     let quiet = options.quiet || results.is_none();
     let mut progress = Progress::start(case, simulation.state.time, quiet).labelled(&part.label);
     let kept = (&mut fields, results.as_mut());
-    let ended = observed(&mut simulation, kept, &mut progress, options, follower).and_then(|stop| {
+    let ended = observed(&mut simulation, kept, &mut progress, options, leader).and_then(|stop| {
         let kept = (&mut fields, results.as_mut());
         Ok((conclude(&simulation, &stop, kept, options.folder)?, stop))
     });
@@ -141,13 +158,17 @@ fn observed<R: Precision>(
     (fields, results): (&mut FieldSeries, Option<&mut Results>),
     progress: &mut Progress,
     options: &RunOptions,
-    follower: &mut dyn Follower,
+    leader: Leader,
 ) -> Result<Stop, RunError> {
     let (tables, books) = match results {
         Some(Results { tables, log, record, .. }) => (Some(tables), Some((log, record))),
         None => (None, None),
     };
-    let stop = simulation.run(&mut [
+    let (follower, steerer): (&mut dyn Follower, _) = match leader {
+        Leader::Case(follower) => (follower, None),
+        Leader::Steerer(steerer) => (&mut NoFollower, Some(steerer)),
+    };
+    let observers: &mut [&mut dyn Observer<R>] = &mut [
         &mut Tables(tables),
         &mut ProgressBar(progress),
         &mut Watch,
@@ -155,8 +176,11 @@ fn observed<R: Precision>(
         &mut Followed(follower),
         &mut Signals(options.interrupts),
         &mut Checkpoints::new(options.folder, options.interrupts, books),
-    ])?;
-    Ok(stop)
+    ];
+    Ok(match steerer {
+        Some(steerer) => simulation.run_steered(observers, steerer)?,
+        None => simulation.run(observers)?,
+    })
 }
 
 /// Writes what the end of a run leaves, also of one that broke down or was stopped; one that was stopped

@@ -25,6 +25,10 @@ impl<R: Precision> Observer<R> for Tables<'_> {
         }
         Ok(Next::Continue)
     }
+
+    fn restored(&mut self, simulation: &Simulation<R>) -> Result<(), ObserverError> {
+        Ok(self.0.as_mut().map_or(Ok(()), |tables| tables.begin_again(&simulation.history))?)
+    }
 }
 
 /// Shows how far the run is.
@@ -57,6 +61,11 @@ impl<R: Precision> Observer<R> for Fields<'_> {
         }
         Ok(Next::Continue)
     }
+
+    fn restored(&mut self, simulation: &Simulation<R>) -> Result<(), ObserverError> {
+        self.0.go_back(simulation.state.time);
+        Ok(())
+    }
 }
 
 /// Tells a follower. It comes after those who write at a sample, so that one at which it stops the run is
@@ -73,11 +82,12 @@ impl<R: Precision> Observer<R> for Followed<'_> {
 pub(super) struct Signals<'a>(pub(super) &'a Interrupts);
 
 impl<R: Precision> Observer<R> for Signals<'_> {
-    fn sampled(&mut self, _: &Simulation<R>) -> Result<Next, ObserverError> {
+    fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
         if let Some(at_sample) = self.0.at_sample {
             at_sample();
         }
-        Ok(Next::Continue)
+        // Between two exchanges with a program that steers the run this is the only occasion.
+        self.between_steps(simulation)
     }
 
     fn between_steps(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
@@ -147,6 +157,7 @@ pub(super) fn statistics(simulation: &Simulation<impl Precision>, outcome: Outco
         threads: simulation.threads(),
         outcome,
         advice: case::advice(&simulation.case),
+        exchange: simulation.history.exchange,
         stages: StageRecord::all(&simulation.case, &simulation.history),
     }
 }

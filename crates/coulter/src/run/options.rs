@@ -40,6 +40,8 @@ pub struct RunOptions<'a> {
     pub interrupts: &'a Interrupts,
     /// The case file as typed, with overrides written into it; stored with the results.
     pub typed: &'a str,
+    /// Path of the case file, beside which the files that it names lie.
+    pub source_name: &'a str,
     /// The communicator of the run, asked for at its start; [`alone`] for a run in one process.
     pub communicator: fn() -> Box<dyn Communicator>,
 }

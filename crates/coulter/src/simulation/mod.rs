@@ -1,5 +1,7 @@
 //! The simulation of a case: its model, its state, the loop of a run, and who observes it.
 
+mod exchange;
+
 use crate::blocks::{self, Balance, TooManyBlocks};
 use crate::stages;
 use case::model::model;
@@ -8,6 +10,7 @@ use case::{Case, case_text, cores, require_valid};
 use cpu_time::ProcessTime;
 use glam::DVec3;
 use input::CaseError;
+use results::OutputError;
 use results::checkpoint::{Checkpoint, CheckpointView};
 use results::domain::PlacedDomain;
 use results::history::History;
@@ -28,6 +31,9 @@ use solver::precision::Precision;
 use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
+use std::path::Path;
+
+pub use exchange::{Command, Coupled, Exchange, ExchangeError, Reaction, Steerer, Wish};
 
 /// What an observer could not do: its file could not be written, its window was closed.
 pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
@@ -75,6 +81,15 @@ pub trait Observer<R: Precision = f64> {
     fn between_steps(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
         let _ = simulation;
         Ok(Next::Continue)
+    }
+
+    /// The simulation has gone back to an earlier state: what was said of later times does not count.
+    ///
+    /// # Errors
+    /// Whatever keeps the observer from its work; it ends the run at once.
+    fn restored(&mut self, simulation: &Simulation<R>) -> Result<(), ObserverError> {
+        let _ = simulation;
+        Ok(())
     }
 
     /// The run has ended, in this way.
@@ -280,6 +295,25 @@ impl<R: Precision> Simulation<R> {
         }
     }
 
+    /// Goes back, or on, to a checkpoint of this case in one process, as bytes (see
+    /// [`CheckpointView::to_bytes`]).
+    ///
+    /// # Errors
+    /// Where it is none, or that of another case; the simulation stands as before.
+    pub fn restore(&mut self, checkpoint: &[u8]) -> Result<(), OutputError> {
+        let read = Checkpoint::of_bytes(checkpoint, &self.model.grid)?;
+        if read.case != case_text(&self.case) || !read.is_of(&self.case, &self.model) {
+            return Err(OutputError::content(Path::new("the checkpoint"), "it is that of another case"));
+        }
+        let Self { model, state, workspace, history, last_sample, balance, .. } = self;
+        (*state, *history, *last_sample) = (read.state, read.history, read.last_sample);
+        *workspace = Workspace::of_block(model, state, workspace.threads(), Halo::whole());
+        *balance = Balance::from(state.step);
+        stages::restore(history, model);
+        workspace.set_motions(model);
+        Ok(())
+    }
+
     /// What the checks of the run must know of its case.
     #[must_use]
     pub fn setting(&self) -> &Setting {
@@ -348,7 +382,7 @@ impl<R: Precision> Simulation<R> {
     ///     }
     /// }
     ///
-    /// # let text = include_str!("../../../cases/column_collapse.toml");
+    /// # let text = include_str!("../../../../cases/column_collapse.toml");
     /// # let coarse = ["grid.cell=50 mm", "run.duration=1 s"].map(str::to_owned);
     /// let case = coulter::case::parse(text, "case.toml", &coarse)?;
     /// let mut simulation = Simulation::new(&case);

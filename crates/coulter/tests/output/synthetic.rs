@@ -348,6 +348,7 @@ pub(crate) fn statistics() -> RunStatistics {
         threads: 8,
         outcome: Outcome::Finished,
         stages: Vec::new(),
+        exchange: Default::default(),
         advice: vec![
             "Run once more with grid.cell = \"3 mm\" to see how much the drag depends on the grid.".into(),
         ],

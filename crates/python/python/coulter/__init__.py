@@ -2,7 +2,7 @@
 
 Four functions do the work: :func:`run` simulates a case, :func:`forecast` evaluates the closed-form models over arrays, :func:`sweep`
 runs a study, :func:`check` says how a case is understood and what it costs. :class:`Result` and :class:`Study` read what lies in a
-folder. :func:`command` calls any other command of the shell. All numbers are in SI units and radians, unless a unit is written beside
+folder. A :class:`Simulation` is stepped and steered by another program. :func:`command` calls any other command of the shell. All numbers are in SI units and radians, unless a unit is written beside
 them.
 
 Numbers are those of the ``coulter`` command for the same case: both call the same functions.
@@ -16,6 +16,7 @@ from ._forecast import Forecast, forecast
 from ._native import __version__
 from ._results import Quantity, Result, open_result
 from ._run import Check, Sample, check, run
+from ._simulation import Coupled, Load, Pose, Reaction, Simulation, Twist
 from ._study import Study, sweep
 from ._table import Table
 
@@ -24,18 +25,24 @@ __all__ = [
     "BrokenRun",
     "CaseError",
     "Check",
+    "Coupled",
     "CoulterError",
     "CoulterWarning",
     "Forecast",
+    "Load",
+    "Pose",
     "Problem",
     "Quantity",
+    "Reaction",
     "RequestError",
     "Result",
     "Sample",
+    "Simulation",
     "SoilField",
     "Study",
     "SurfaceField",
     "Table",
+    "Twist",
     "__version__",
     "check",
     "command",

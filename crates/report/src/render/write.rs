@@ -6,7 +6,6 @@ use super::options::{ImageFormat, RenderOptions};
 use crate::view::{Detail, Recording, displacements};
 use results::files::{Inside, OutputError, make_folder, write_whole};
 use results::folder::RunRecord;
-use results::tables::read_history;
 use std::path::Path;
 
 /// In more detail than a page can hold: a place for every few pixels, a time for every picture of an
@@ -32,7 +31,7 @@ pub fn render(
             "there are no field files to draw from; the case asked for none, or they were removed",
         ));
     };
-    let history = read_history(dir, &record.names(), record.statistics.outcome.is_end())?;
+    let history = record.history(dir, record.statistics.outcome.is_end())?;
     let displacements = displacements(&record, &history, &recording.times);
     let renderer = Renderer::new((&recording, &displacements), &record.title, options);
     let formats = options

@@ -3,6 +3,9 @@
 use crate::files::{CHECKPOINTS, Inside, Named, OutputError};
 use std::path::{Path, PathBuf};
 
+/// Stands for the path of a checkpoint that is in no file.
+pub(super) const IN_MEMORY: &str = "the checkpoint";
+
 const LAST: &str = "last.checkpoint";
 const PREVIOUS: &str = "previous.checkpoint";
 const FAILED: &str = "failed.checkpoint";

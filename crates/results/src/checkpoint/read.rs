@@ -2,7 +2,7 @@
 
 use super::contents::{Checkpoint, MAGIC, VERSION};
 use super::layout;
-use super::paths::{last, previous};
+use super::paths::{IN_MEMORY, last, previous};
 use crate::files::{Inside, OutputError};
 use case::machine;
 use solver::grid::Grid;
@@ -48,30 +48,55 @@ impl<R: Precision> Checkpoint<R> {
     }
 
     fn read_file(file: &Inside, grid: &Grid) -> Result<Self, OutputError> {
-        let broken = |what: &str| OutputError::content(&file.path(), what);
         let (plain, _) = read_record(file)?;
+        let checkpoint = Self::of_record(&plain, &file.path(), grid)?;
+        drop(plain);
+        checkpoint.with_portions(file, grid)
+    }
+
+    /// The checkpoint in bytes that [`CheckpointView::to_bytes`](super::CheckpointView::to_bytes) has made.
+    ///
+    /// # Errors
+    /// As [`Checkpoint::read`].
+    pub fn of_bytes(bytes: &[u8], grid: &Grid) -> Result<Self, OutputError> {
+        let path = Path::new(IN_MEMORY);
+        let (plain, _) = record_in(bytes, path)?;
+        let checkpoint = Self::of_record(&plain, path, grid)?;
+        if checkpoint.portions.is_empty() {
+            return Ok(checkpoint);
+        }
+        Err(OutputError::content(path, "its soil is in files of its own"))
+    }
+
+    /// The checkpoint of a record; without soil where that is in files of its own.
+    fn of_record(plain: &[u8], path: &Path, grid: &Grid) -> Result<Self, OutputError> {
+        let broken = |what: &str| OutputError::content(path, what);
         let unreadable = |e: postcard::Error| broken(&format!("cannot be read: {e}"));
-        let (precision, _) = postcard::take_from_bytes::<String>(&plain).map_err(unreadable)?;
+        let (precision, _) = postcard::take_from_bytes::<String>(plain).map_err(unreadable)?;
         if precision != R::NAME {
             let wanted = R::NAME;
             return Err(broken(&format!(
                 "the checkpoint is in {precision} precision, the case asks for {wanted}"
             )));
         }
-        let mut checkpoint: Self = postcard::from_bytes(&plain).map_err(unreadable)?;
-        drop(plain);
+        let mut checkpoint: Self = postcard::from_bytes(plain).map_err(unreadable)?;
         let entries = if checkpoint.portions.is_empty() { grid.uncut().entries } else { 1 };
         if !checkpoint.state.has_entries(entries) {
             return Err(broken("its soil is not that of the grid"));
         }
-        if checkpoint.portions.is_empty() {
-            if !grid.is_whole() {
-                checkpoint.state = checkpoint.state.of_block(&grid.uncut(), grid);
-            }
-            return Ok(checkpoint);
+        if checkpoint.portions.is_empty() && !grid.is_whole() {
+            checkpoint.state = checkpoint.state.of_block(&grid.uncut(), grid);
         }
-        checkpoint.state = checkpoint.state.without_soil(grid);
-        for named in &checkpoint.portions {
+        Ok(checkpoint)
+    }
+
+    /// The checkpoint with the soil that lies in files of its own, if it does.
+    fn with_portions(mut self, file: &Inside, grid: &Grid) -> Result<Self, OutputError> {
+        if self.portions.is_empty() {
+            return Ok(self);
+        }
+        self.state = self.state.without_soil(grid);
+        for named in &self.portions {
             if grid.held_of(&named.layers).iter().any(Range::is_empty) {
                 continue;
             }
@@ -83,19 +108,25 @@ impl<R: Precision> Checkpoint<R> {
             }
             let portion: Portion<R> =
                 postcard::from_bytes(&plain).map_err(|e| wrong(&format!("cannot be read: {e}")))?;
-            if portion.layers != named.layers || !portion.is_of(&checkpoint.state, grid) {
+            if portion.layers != named.layers || !portion.is_of(&self.state, grid) {
                 return Err(wrong("it does not hold what the checkpoint says"));
             }
-            checkpoint.state.put(grid, &portion);
+            self.state.put(grid, &portion);
         }
-        Ok(checkpoint)
+        Ok(self)
     }
 }
 
 /// The record of a file, unpacked, and its hash.
 fn read_record(from: &Inside) -> Result<(Vec<u8>, u64), OutputError> {
-    let broken = |what: &str| OutputError::content(&from.path(), what);
-    let file = from.read(most_bytes()).map_err(|e| broken(&format!("no checkpoint to resume from ({e})")))?;
+    let path = from.path();
+    let unread = |e: io::Error| OutputError::content(&path, format!("no checkpoint to resume from ({e})"));
+    record_in(&from.read(most_bytes()).map_err(unread)?, &path)
+}
+
+/// The record in the contents of a file of this path, unpacked, and its hash.
+fn record_in(file: &[u8], path: &Path) -> Result<(Vec<u8>, u64), OutputError> {
+    let broken = |what: &str| OutputError::content(path, what);
     let header = file.split_first_chunk::<8>().filter(|(magic, _)| magic.starts_with(MAGIC));
     let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
     check_version(magic[7]).map_err(|problem| broken(&problem))?;

@@ -2,7 +2,7 @@
 
 use super::contents::{CheckpointView, MAGIC, PortionFile, Record, VERSION};
 use super::layout;
-use super::paths::{failed, last, portion_name, previous, remove_old_portions};
+use super::paths::{IN_MEMORY, failed, last, portion_name, previous, remove_old_portions};
 use crate::files::{CHECKPOINTS, Inside, Named, OutputError, make_folder};
 use serde::Serialize;
 use solver::precision::Precision;
@@ -34,6 +34,17 @@ impl<R: Precision> CheckpointView<'_, R> {
     /// When a file cannot be written.
     pub fn write_failed(&self, dir: &Path) -> Result<(), OutputError> {
         self.write_to(dir, &failed(dir), || Ok(()))
+    }
+
+    /// The checkpoint of a run in one process as bytes, for
+    /// [`Checkpoint::of_bytes`](super::Checkpoint::of_bytes).
+    ///
+    /// # Errors
+    /// Where memory does not suffice.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, OutputError> {
+        let Self { precision, case, state, history, last_sample, .. } = self;
+        let record = Record { precision, case, state, portions: &[], history, last_sample };
+        write_content(Vec::new(), &record, Path::new(IN_MEMORY)).map(|(bytes, _)| bytes)
     }
 
     fn is_first(&self) -> bool {
@@ -110,16 +121,25 @@ fn write_file(
 fn write_part(draft: &Inside, record: &impl Serialize) -> Result<u64, OutputError> {
     let part = &*draft.path();
     let file = draft.create().named("create", part)?;
-    let mut out = BufWriter::with_capacity(1 << 20, file);
-    out.write_all(&[&MAGIC[..], &[VERSION], &layout::hash()].concat()).named("write", part)?;
-    let mut hashed = Hashed { out, hash: Xxh3::new(), failure: None };
-    pack(record, &mut hashed, part)?;
-    let Hashed { mut out, hash, .. } = hashed;
-    let hash = hash.digest();
-    out.write_all(&hash.to_le_bytes()).named("write", part)?;
+    let (out, hash) = write_content(BufWriter::with_capacity(1 << 20, file), record, part)?;
     let file = out.into_inner().map_err(IntoInnerError::into_error).named("write", part)?;
     file.sync_all().named("write", part)?;
     Ok(hash)
+}
+
+/// Writes what a file of this path holds; returns its hash.
+fn write_content<W: Write>(
+    mut out: W,
+    record: &impl Serialize,
+    path: &Path,
+) -> Result<(W, u64), OutputError> {
+    out.write_all(&[&MAGIC[..], &[VERSION], &layout::hash()].concat()).named("write", path)?;
+    let mut hashed = Hashed { out, hash: Xxh3::new(), failure: None };
+    pack(record, &mut hashed, path)?;
+    let Hashed { mut out, hash, .. } = hashed;
+    let hash = hash.digest();
+    out.write_all(&hash.to_le_bytes()).named("write", path)?;
+    Ok((out, hash))
 }
 
 /// Packs a record; a full disc is called by its name.

@@ -49,7 +49,7 @@ impl ConfidenceInterval {
             .find(|ratio| self.predicted(*ratio).is_some_and(|half| half <= wanted));
         match enough {
             Some(ratio) => format!(
-                "cells {ratio:.2} times as wide are expected to reach it, at {:.0} times the time of this run; give more with --budget",
+                "cells {ratio:.2} times as wide are expected to reach it, in {:.2} times the time of this run; give more with --budget",
                 ratio.powi(-4)
             ),
             None => "cells of a tenth of the width would not be enough".to_owned(),

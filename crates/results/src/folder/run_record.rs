@@ -4,12 +4,12 @@
 use super::describe::describe;
 use crate::files::{Inside, OutputError, read_json, write_json};
 use crate::formats;
-use crate::history::History;
 use crate::history::probes::places;
 use crate::history::reference::Reference;
 use crate::history::steady::{SteadyPart, SteadyWindow};
+use crate::history::{ExchangeBalance, History};
 use crate::overlay::Overlay;
-use crate::tables::HistoryNames;
+use crate::tables::{HistoryNames, read_history};
 use crate::trust::{Setting, Trust};
 use case::Case;
 use case::case_text;
@@ -61,6 +61,8 @@ pub struct RunStatistics {
     pub advice: Vec<String>,
     /// The stages so far; empty for a run that has only one.
     pub stages: Vec<StageRecord>,
+    /// The energy that passed to and from another program that steers bodies.
+    pub exchange: ExchangeBalance,
 }
 
 /// A stage of a run.
@@ -231,6 +233,15 @@ impl RunRecord {
             parts: self.parts.iter().map(|part| part.name.clone()).collect(),
             joints: self.joints.iter().map(|joint| joint.name.clone()).collect(),
         }
+    }
+
+    /// The history of the run, from the tables in its folder (see [`read_history`]).
+    ///
+    /// # Errors
+    /// Where a table cannot be read.
+    pub fn history(&self, dir: &Path, is_whole: bool) -> Result<History, OutputError> {
+        let history = read_history(dir, &self.names(), is_whole)?;
+        Ok(History { exchange: self.statistics.exchange, ..history })
     }
 
     /// The grade of the run with this history.

@@ -174,11 +174,22 @@ pub struct History {
     pub stages_ended: Option<f64>,
     /// The energy balance.
     pub energy: Vec<EnergySample>,
+    /// The energy that passed to and from another program that steers bodies.
+    pub exchange: ExchangeBalance,
     /// The faces of the box.
     pub boundaries: Vec<BoundarySample>,
     /// The surface that a grid that travels has left behind, in lines across its way; empty where the grid
     /// stands still.
     pub ground_left: Vec<SurfacePoint>,
+}
+
+/// The energy that passed to and from another program that steers bodies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ExchangeBalance {
+    /// Sum of the magnitudes of the work of the soil on the bodies between two exchanges [J].
+    pub work: f64,
+    /// Sum of what the mean force between two exchanges makes of that work, less the work itself [J].
+    pub difference: f64,
 }
 
 impl History {

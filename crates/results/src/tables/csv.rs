@@ -13,7 +13,7 @@ use crate::history::columns::{
 use crate::history::filter::filtered;
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
-use crate::history::{History, RutSection, SurfacePoint};
+use crate::history::{ExchangeBalance, History, RutSection, SurfacePoint};
 use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -206,6 +206,15 @@ impl HistoryFiles {
         Ok(Self { bodies, parts, joints, energy, boundaries, ground_left: None, dir, references })
     }
 
+    /// Writes the files anew with a history that does not go on from what they hold.
+    ///
+    /// # Errors
+    /// As [`HistoryFiles::append`].
+    pub fn begin_again(&mut self, history: &History) -> Result<(), OutputError> {
+        *self = Self::create(&self.dir, &self.references, &HistoryNames::of(history))?;
+        self.append(history)
+    }
+
     /// Adds the lines of `history` that are not in the files yet.
     ///
     /// # Errors
@@ -303,6 +312,8 @@ pub fn read_history(dir: &Path, names: &HistoryNames, is_whole: bool) -> Result<
         stages_ended: None,
         energy: read(&Inside::of(dir, ENERGY_FILE), columns::ENERGY, is_whole)?,
         boundaries: read(&Inside::of(dir, BOUNDARIES_FILE), columns::BOUNDARIES, is_whole)?,
+        // The record of the run has it.
+        exchange: ExchangeBalance::default(),
         ground_left: if left.exists() { read(&left, GROUND_LEFT, is_whole)? } else { Vec::new() },
     };
     if !is_whole {

@@ -4,7 +4,7 @@ use super::body::base;
 use super::check::Check;
 use super::limits::{self, Limit};
 use super::setting::{BodySetting, Setting};
-use crate::history::{BodySample, BoundarySample, EnergySample, History, largest};
+use crate::history::{BodySample, BoundarySample, EnergySample, ExchangeBalance, History, largest};
 
 /// Energy and volume at the end of the run.
 pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
@@ -22,6 +22,12 @@ pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
         check(&limits::OVERDENSE, 100.0 * largest(history.energy.iter().map(|sample| sample.overdense))),
         check(&limits::VOID, 100.0 * end.void),
     ]
+}
+
+/// Energy that passed to and from another program; `None` where none did.
+pub(super) fn exchanged(history: &History) -> Option<Check> {
+    let ExchangeBalance { work, difference } = history.exchange;
+    (work > 0.0).then(|| Check::of(&limits::EXCHANGE, None, 100.0 * difference.abs() / work))
 }
 
 /// Change of the soil volume that pressure does not account for [%], unless the soil is expected to change it

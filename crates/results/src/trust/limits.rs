@@ -574,8 +574,20 @@ pub const MISSING_VARIATIONS: Limit = Limit {
     advice: "give more time (--budget) or look at their reports in variations",
 };
 
+/// Energy that passes to and from another program.
+pub const EXCHANGE: Limit = Limit {
+    name: "exchanged energy",
+    unit: "%",
+    good: 1.0,
+    doubtful: 5.0,
+    more_is_better: false,
+    meaning: "work of the soil on bodies that another program moves, as it follows from the mean force between two exchanges, less the work itself, over the sum of its magnitudes",
+    reason: "as for the energy balance: what the exchange adds or takes, neither program knows of",
+    advice: "exchange more often",
+};
+
 /// Every limit, in the order of the checks.
-pub const ALL: [&Limit; 44] = [
+pub const ALL: [&Limit; 45] = [
     &COMPLETED,
     &ENERGY_BALANCE,
     &HOURGLASS,
@@ -585,6 +597,7 @@ pub const ALL: [&Limit; 44] = [
     &VOLUME,
     &OVERDENSE,
     &VOID,
+    &EXCHANGE,
     &MOTION,
     &LEAK,
     &CONTACT,

@@ -59,6 +59,7 @@ impl Trust {
             checks.push(Check { advice: why.to_owned(), ..Check::of(&limits::COMPLETED, None, 1.0) });
         }
         checks.extend(energy::checks(setting, history));
+        checks.extend(energy::exchanged(history));
         checks.extend(contact::of_motion(setting, history));
         for (n, reference) in references.iter().enumerate() {
             if let (Some(body), Some(samples)) = (setting.bodies.get(n), history.bodies.get(n)) {

@@ -41,11 +41,18 @@ impl FieldSeries {
         let mut series = Self::create(dir)?;
         for (list, name) in series.frames.iter_mut().zip(LISTS) {
             *list = read_time_list(&Inside::of(dir, name))?;
-            // A checkpoint is taken between steps: field files of exactly its time are valid.
-            list.retain(|frame| frame.time <= time * (1.0 + 1e-12));
         }
-        series.next_frame = series.frames[0].len();
+        series.go_back(time);
         Ok(series)
+    }
+
+    /// Forgets the fields of times after this one [s].
+    pub fn go_back(&mut self, time: f64) {
+        for frames in &mut self.frames {
+            // A checkpoint is taken between steps: field files of exactly its time are valid.
+            frames.retain(|frame| frame.time <= time * (1.0 + 1e-12));
+        }
+        self.next_frame = self.frames[0].len();
     }
 
     /// Whether fields are due at `time` [s]: the first after every whole multiple of `interval` [s].

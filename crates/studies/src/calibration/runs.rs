@@ -162,6 +162,7 @@ impl Solver<'_> {
         let folder = files::folder(&Inside::of(self.folder, name));
         let folder = folder.map_err(|error| SolverError::Other(error.to_string()))?;
         point.folders.push(folder.clone());
+        let path = self.case.display().to_string();
         let options = RunOptions {
             folder: &folder,
             start: Start::AutoResume,
@@ -169,6 +170,7 @@ impl Solver<'_> {
             warnings: &[],
             interrupts: self.interrupts,
             typed: &typed,
+            source_name: &path,
             communicator: coulter::run::alone,
         };
         match run::run(&case, &options) {

@@ -173,6 +173,7 @@ fn solved(shared: &Shared, line: &CaseLine, base: &BaseCase, mut case: Case) -> 
         warnings: &[],
         interrupts: &shared.interrupts,
         typed: &typed,
+        source_name: &base.path,
         communicator: coulter::run::alone,
     };
     let ended = |ending: Ending, reason: String, summary: &Summary| {
