@@ -48,7 +48,7 @@ began="$EPOCHREALTIME"
 awk -v began="$began" -v ended="$EPOCHREALTIME" -v lines="$lines" 'BEGIN { printf "python: from pip install to a plot: %.1f s, %d lines\n", ended - began, lines }'
 
 part "packages of the tests"
-"$scratch/user/bin/pip" install --quiet mypy pytest nbclient nbformat ipykernel pandas xarray pyvista
+"$scratch/user/bin/pip" install --quiet mypy pytest nbclient nbformat ipykernel pandas xarray pyvista fmpy mujoco
 
 part "types"
 (cd crates/python && "$scratch/user/bin/mypy" --config-file pyproject.toml --python-executable "$scratch/user/bin/python")

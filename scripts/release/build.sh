@@ -4,6 +4,7 @@
 #   coulter-VERSION-x86_64-unknown-linux-musl     the command as one static program, stripped
 #   coulter_VERSION_amd64.deb                     the same as a Debian package, with manual pages, completions and example cases
 #   coulter-VERSION-*.whl                         the Python package
+#   libcoulter_fmu.so                             what `coulter export-fmu` puts into units; the Debian package has it, too
 #   Containerfile                                 podman build -t coulter dist
 #   licences/                                     licences of everything that is linked into them
 #   man/, completions/                            manual pages; completions for five shells
@@ -63,6 +64,14 @@ static_program() {
         cargo build --release --locked --target "$target" -p coulter-cli
     program="$dist/coulter-$version-$target"
     cp "$built/$target/release/coulter" "$program"
+}
+
+# Units are loaded by programs with the usual C library.
+unit_library() {
+    cargo build --release --locked -p coulter-fmu
+    cp "$built/release/libcoulter_fmu.so" "$dist/"
+    "$program" export-fmu cases/light_disc.toml --library "$dist/libcoulter_fmu.so" -o "$scratch/light_disc.fmu" >/dev/null ||
+        fail "$program cannot export a unit"
 }
 
 # Licences of all crates in program and wheel, of what these bring along in C, of Rust's library and of the font in the pictures.
@@ -125,6 +134,7 @@ pages_and_completions() {
 debian_package() {
     local root="$scratch/deb" shared="$scratch/deb/usr/share" package="$dist/coulter_${version}_amd64.deb"
     install -Dm755 "$program" "$root/usr/bin/coulter"
+    install -Dm644 -t "$root/usr/lib/coulter" "$dist/libcoulter_fmu.so"
     install -Dm644 -t "$shared/man/man1" "$dist"/man/*.1
     gzip -9n "$shared"/man/man1/*
     install -Dm644 "$dist/completions/coulter.bash" "$shared/bash-completion/completions/coulter"
@@ -195,6 +205,8 @@ mkdir -p "$dist"
 part "static program, version $version"
 static_target
 static_program
+part "library of units"
+unit_library
 if [ -z "$check" ]; then
     part "licences"
     licences

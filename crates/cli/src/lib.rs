@@ -10,6 +10,7 @@ mod check;
 mod common;
 mod compare;
 mod element;
+mod export_fmu;
 mod failure;
 mod forecast;
 mod manual;
@@ -72,6 +73,8 @@ enum Command {
     /// Runs a study: many cases that vary, by the closed forms, the solver or both; then tables, charts and a
     /// page
     Sweep(sweep::Arguments),
+    /// Writes a case as a functional mock-up unit, which other simulators drive (FMI 3.0, co-simulation)
+    ExportFmu(export_fmu::Arguments),
     /// Runs the verification suite: expected, obtained, error
     Verify(verify::Arguments),
     /// Measures the speed of the solver on this machine, by stage
@@ -142,6 +145,7 @@ fn execute(program: &Path, arguments: &Arguments) -> u8 {
         Command::Pressure(arguments) => pressure::pressure(arguments),
         Command::Run(arguments) => run::run(arguments),
         Command::Sweep(arguments) => sweep::sweep(program, arguments),
+        Command::ExportFmu(arguments) => export_fmu::run(program, arguments),
         Command::Verify(arguments) => verify::verify(arguments),
         Command::Bench(arguments) => bench::bench(arguments),
         Command::Report(arguments) => report::report(arguments),

@@ -21,5 +21,5 @@ pub use report::{
     BodySummary, EnergySummary, ReportWishes, RimSummary, SoilSummary, Summary, confidence_lines, mean_lines,
 };
 pub use run_results::{
-    Results, add_confidence, clear_all, rebuild_report, rebuild_report_with, require_nothing,
+    Results, add_confidence, clear_all, rebuild_report, rebuild_report_with, require_nothing, write_case_file,
 };

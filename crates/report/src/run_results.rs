@@ -83,18 +83,6 @@ impl Results {
         &self.dir
     }
 
-    /// Stores the case file with the results, as typed, and the files that it names: in the copy it names the
-    /// copies.
-    ///
-    /// # Errors
-    /// When a file cannot be written, or is not that which the case was read from any more.
-    pub fn write_case_file(&self, case: &Case, text: &str) -> Result<(), OutputError> {
-        let mut copies = copy_meshes(&self.dir, case)?;
-        copies.extend(copy_tables(&self.dir, case)?);
-        copies.extend(copy_height_map(&self.dir, case)?);
-        write_whole(&Inside::of(&self.dir, TYPED), with_files(text, &copies).as_bytes())
-    }
-
     /// Overlays curves on the plots of the report: a forecast, a measurement.
     ///
     /// # Errors
@@ -167,6 +155,17 @@ fn copy_tables(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, Ou
         copies.push((keys.iter().cloned().chain(["table".to_owned()]).collect(), copy));
     }
     Ok(copies)
+}
+
+/// Stores a case file in a folder, as typed, and the files that it names: in the copy it names the copies.
+///
+/// # Errors
+/// When a file cannot be written, or is not that which the case was read from any more.
+pub fn write_case_file(dir: &Path, case: &Case, text: &str) -> Result<(), OutputError> {
+    let mut copies = copy_meshes(dir, case)?;
+    copies.extend(copy_tables(dir, case)?);
+    copies.extend(copy_height_map(dir, case)?);
+    write_whole(&Inside::of(dir, TYPED), with_files(text, &copies).as_bytes())
 }
 
 /// Copies the files that bodies and soil bodies were read from; returns the keys that lead to each, and its

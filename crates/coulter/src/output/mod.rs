@@ -9,7 +9,7 @@ pub use input::readable::digits;
 pub use report::{
     BodySummary, Colouring, EnergySummary, ImageFormat, RenderOptions, ReportWishes, Results, RimSummary,
     SoilSummary, Summary, Viewpoint, confidence_lines, figure, lowered, pictures, plots, rebuild_report,
-    rebuild_report_with, render, render_page,
+    rebuild_report_with, render, render_page, write_case_file,
 };
 pub use results::overlay::{Overlay, PlotKind};
 pub use results::{

@@ -157,7 +157,7 @@ pub(super) fn statistics(simulation: &Simulation<impl Precision>, outcome: Outco
         threads: simulation.threads(),
         outcome,
         advice: case::advice(&simulation.case),
-        exchange: simulation.history.exchange,
+        exchange: simulation.history.exchange.clone(),
         stages: StageRecord::all(&simulation.case, &simulation.history),
     }
 }

@@ -8,7 +8,7 @@ use crate::simulation::Simulation;
 use case::Case;
 use case::case_text;
 use case::model::model;
-use report::{Results, Summary};
+use report::{Results, Summary, write_case_file};
 use results::OutputError;
 use results::checkpoint::{self, Checkpoint};
 use results::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
@@ -165,7 +165,7 @@ fn create<R: Precision>(
     let may_replace = options.start == Start::Replace || why.is_some();
     let mut results = processes.first_alone(|| {
         let results = Results::create(options.folder, case, may_replace)?;
-        results.write_case_file(case, options.typed)?;
+        write_case_file(results.dir(), case, options.typed)?;
         Ok(results)
     })?;
     let mut fields = FieldSeries::create(options.folder)?;

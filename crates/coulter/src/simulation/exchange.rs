@@ -211,7 +211,8 @@ impl<R: Precision> Simulation<R> {
             *own = asked;
             placed.extend(at.map(|(pose, twist)| (*body, pose, twist)));
         }
-        let Self { model, state, workspace, .. } = self;
+        let Self { model, state, workspace, history, .. } = self;
+        history.exchange.steered.extend((0..steering.len()).filter(|n| steering[*n].is_some()));
         workspace.steer(model, state, &steering);
         for (body, pose, twist) in placed {
             let now = &mut state.mechanism.bodies[body];

@@ -59,7 +59,7 @@ fn write(dir: &Path, kind: Kind, cell: f64, count: usize) -> Summary {
             overlay(PlotKind::ForceDisplacement, vec![[0.0, 36.5]]),
         ])
         .unwrap();
-    results.write_case_file(&case, "name = \"synthetic\"\n").unwrap();
+    coulter::output::write_case_file(results.dir(), &case, "name = \"synthetic\"\n").unwrap();
     finish(&mut results, (&case, &grid), (&state, &history), &statistics())
 }
 

@@ -241,7 +241,7 @@ impl RunRecord {
     /// Where a table cannot be read.
     pub fn history(&self, dir: &Path, is_whole: bool) -> Result<History, OutputError> {
         let history = read_history(dir, &self.names(), is_whole)?;
-        Ok(History { exchange: self.statistics.exchange, ..history })
+        Ok(History { exchange: self.statistics.exchange.clone(), ..history })
     }
 
     /// The grade of the run with this history.

@@ -18,6 +18,7 @@ use mechanics::Motion;
 pub use quantities::BodySample;
 use rim::RimHistory;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// One line of the history of a joint, or of a part of a body. Forces are those of the first body on the
 /// second through the joint, or of the soil on the part, averaged over the interval that ends at `time`.
@@ -184,8 +185,10 @@ pub struct History {
 }
 
 /// The energy that passed to and from another program that steers bodies.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ExchangeBalance {
+    /// Numbers of the bodies that it has steered.
+    pub steered: BTreeSet<usize>,
     /// Sum of the magnitudes of the work of the soil on the bodies between two exchanges [J].
     pub work: f64,
     /// Sum of what the mean force between two exchanges makes of that work, less the work itself [J].

@@ -17,6 +17,8 @@ use serde::{Deserialize, Serialize};
 pub(super) struct BodyChecks<'a> {
     pub(super) setting: &'a Setting,
     pub(super) body: &'a BodySetting,
+    /// Whether another program has moved the body.
+    pub(super) is_steered: bool,
     pub(super) reference: &'a Reference,
     pub(super) samples: &'a [BodySample],
     pub(super) history: &'a History,
@@ -137,7 +139,8 @@ impl BodyChecks<'_> {
     /// How far the turn ratio of a wheel without torque lies outside its physical range, unless the wheel
     /// stands.
     fn free_wheel(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
-        let ratio = steady.turn_ratio.filter(|_| self.body.turns_freely && is_tow(inside, self.reference))?;
+        let is_free = self.body.turns_freely && !self.is_steered;
+        let ratio = steady.turn_ratio.filter(|_| is_free && is_tow(inside, self.reference))?;
         Some(self.check(&limits::FREE_WHEEL, (-ratio).max(ratio - 1.0).max(0.0)))
     }
 

@@ -26,7 +26,7 @@ pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
 
 /// Energy that passed to and from another program; `None` where none did.
 pub(super) fn exchanged(history: &History) -> Option<Check> {
-    let ExchangeBalance { work, difference } = history.exchange;
+    let ExchangeBalance { work, difference, .. } = history.exchange;
     (work > 0.0).then(|| Check::of(&limits::EXCHANGE, None, 100.0 * difference.abs() / work))
 }
 

@@ -63,7 +63,9 @@ impl Trust {
         checks.extend(contact::of_motion(setting, history));
         for (n, reference) in references.iter().enumerate() {
             if let (Some(body), Some(samples)) = (setting.bodies.get(n), history.bodies.get(n)) {
-                let body_checks = body::BodyChecks { setting, body, reference, samples, history, part };
+                let is_steered = history.exchange.steered.contains(&n);
+                let body_checks =
+                    body::BodyChecks { setting, body, is_steered, reference, samples, history, part };
                 checks.extend(body_checks.checks());
             }
         }
