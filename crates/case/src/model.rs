@@ -4,18 +4,22 @@ use super::resolved::Case;
 use super::resolved::{self, Follow, Motion};
 use geometry::Shape;
 use glam::{DMat3, DVec3};
-use mechanics::{Inertia, Pose};
+use mechanics::{Inertia, Pair, Pose};
 use physics::sand::Sand;
 use solver::boundary::{Boundaries, Boundary};
 use solver::grid::Grid;
 use solver::material::Material;
 use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model, PoreWater};
+use std::sync::Arc;
 
 /// The model that a case means, its grid laid out for vectors of `lanes` numbers.
 #[must_use]
 pub fn model(case: &Case, lanes: usize) -> Model {
     let boundaries = boundaries(case);
+    let bodies: Vec<BodyModel> = case.bodies.iter().map(|own| body(case, own)).collect();
+    let pairs = case.joints.iter().filter_map(|joint| joint.touching(&bodies));
     Model {
+        pairs: pairs.map(|pair| Arc::new(pair) as Arc<dyn Pair>).collect(),
         grid: Grid::with_open_faces(case.grid.faces.clone(), boundaries.open_faces(), lanes)
             .with_aspect(case.grid.aspect),
         materials: materials(case),
@@ -32,8 +36,8 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         boundaries,
         follow: case.grid.follow,
         modelled_width: case.domain.modelled_width(),
-        bodies: case.bodies.iter().map(|own| body(case, own)).collect(),
-        joints: case.joints.iter().map(|joint| joint.mechanical(&case.bodies)).collect(),
+        bodies,
+        joints: case.joints.iter().filter_map(|joint| joint.mechanical(&case.bodies)).collect(),
         method: Method {
             courant: case.numerics.courant,
             remap_displacement: case.numerics.remap_displacement,

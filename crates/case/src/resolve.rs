@@ -232,7 +232,9 @@ fn parts(
     let joints = all(&schema.joints, |section| joint::typed(section, &bodies, context.surface, problems))?;
     let before = problems.len();
     let roots = body::roots(&schema.bodies, &bodies, problems)?;
-    let joints = joint::between_wholes(joints, &bodies, &roots, problems);
+    let mut joints = joint::between_wholes(joints, &bodies, &roots, problems);
+    // As a mechanism has them.
+    joints.sort_by_key(Joint::is_contact);
     let mut bodies = body::joined(&bodies, &roots, problems);
     if problems.len() > before {
         return None;

@@ -51,6 +51,9 @@ templates! {
     PressAndTow: "press_and_tow.toml", "A disc that is pressed into sand, held, towed and lifted, in stages";
     UnderWater: "disc_under_water.toml", "A free disc towed over sand under water";
     Rockhopper: "rockhopper.toml", "Three rockhopper discs on one axle, each free to turn";
+    Boulder: "disc_over_boulder.toml", "A disc that rolls over a boulder";
+    HoppingGear: "rockhopper_stone.toml", "A rockhopper segment that hops over a stone";
+    Balls: "row_of_balls.toml", "A row of balls, pushed";
     SweptWing: "swept_wing.toml", "Four discs along a wing that is swept by 45°";
     Cable: "disc_on_a_cable.toml", "A disc towed by a cable";
     DrivenWheel: "driven_wheel.toml", "A driven wheel at 30 % slip";
@@ -61,6 +64,7 @@ templates! {
     Opener: "double_disc_opener.toml", "A double-disc opener";
     Blade: "blade.toml", "A blade with a rake angle of 45°";
     Cone: "cone.toml", "A cone penetrometer";
+    Scoop: "scoop.toml", "A scoop that is filled, lifted and emptied";
     Pipe: "pipe.toml", "A pipe that is pressed into sand and swept sideways";
     StlTool: "stl_tool.toml", "A tool from an STL file";
     Footing: "strip_footing.toml", "A strip footing on undrained soil";

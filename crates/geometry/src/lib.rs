@@ -28,6 +28,7 @@ mod rotated;
 mod sampler;
 mod sphere;
 mod thickness;
+mod touch;
 mod triangle;
 
 pub use block::Block;
@@ -48,6 +49,7 @@ pub use rim::{Rim, RimPoint};
 pub use rotated::Rotated;
 pub use sphere::Sphere;
 pub use thickness::{Thin, ThinSearch};
+pub use touch::{Near, Place, Solid};
 
 use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;
@@ -222,6 +224,10 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     }
     /// Diameter and thickness [m], if it is a flat disc with sharp rims.
     fn as_disc(&self) -> Option<[f64; 2]> {
+        None
+    }
+    /// Radius [m], if it is a ball.
+    fn as_ball(&self) -> Option<f64> {
         None
     }
     /// The plane across the axle [m] about which contact points may be mirror images of each other.

@@ -69,6 +69,10 @@ impl Shape for Sphere {
         ring_points(rings, ring_radius, |length| ring_count(length, spacing), area)
     }
 
+    fn as_ball(&self) -> Option<f64> {
+        Some(self.radius())
+    }
+
     fn is_revolved(&self) -> bool {
         true
     }

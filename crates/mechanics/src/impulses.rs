@@ -12,6 +12,8 @@ pub struct Impulses {
     pub gravity: Wrench,
     /// Impulse of contact, on the whole body.
     pub contact: Wrench,
+    /// Impulse of other bodies that touch it.
+    pub touch: Wrench,
     /// Impulse of the joints, as a reaction to loads, contact and changes of prescribed speeds.
     pub joint_reaction: Wrench,
     /// Impulse of the joints, within the step: as a reaction to gravity and inertia, and of springs.
@@ -31,6 +33,8 @@ pub struct Work {
     pub gravity: f64,
     /// Work of contact [J].
     pub contact: f64,
+    /// Work of other bodies that touch it [J]; together with theirs what friction and impacts take.
+    pub touch: f64,
     /// Work of the joints [J]; they pass it on from body to body.
     pub joint: f64,
     /// Work of drives and supports [J].
@@ -41,7 +45,7 @@ impl Work {
     /// Total work [J].
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.load + self.gravity + self.contact + self.joint + self.drive
+        self.load + self.gravity + self.contact + self.touch + self.joint + self.drive
     }
 }
 
@@ -54,6 +58,7 @@ impl Impulses {
             load: self.load.dot(met),
             gravity: self.gravity.dot(within),
             contact: self.contact.dot(met),
+            touch: self.touch.dot(met),
             joint: self.joint_reaction.dot(met) + self.joint.dot(within),
             drive: self.drive_reaction.dot(met) + self.drive.dot(within),
         }

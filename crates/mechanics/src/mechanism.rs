@@ -5,6 +5,7 @@ use crate::configuration::Configuration;
 use crate::error::Invalid;
 use crate::joint::Joint;
 use crate::steering::Steering;
+use crate::touch::Pair;
 use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::DVec3;
@@ -16,6 +17,7 @@ use std::sync::Arc;
 pub struct Mechanism {
     bodies: Vec<Body>,
     joints: Vec<Arc<dyn Joint>>,
+    pairs: Vec<Arc<dyn Pair>>,
 }
 
 /// The state of a mechanism: what changes in a step.
@@ -23,7 +25,7 @@ pub struct Mechanism {
 pub struct MechanismState {
     /// State of each body.
     pub bodies: Vec<BodyState>,
-    /// What each joint has done.
+    /// What each joint has done, then each pair of bodies that may touch.
     pub joints: Vec<JointState>,
 }
 
@@ -50,19 +52,25 @@ impl Mechanism {
     /// A mechanism of these bodies and joints without [`Mechanism::check`].
     #[must_use]
     pub fn unchecked(bodies: Vec<Body>, joints: Vec<Arc<dyn Joint>>) -> Self {
-        Self { bodies, joints }
+        Self { bodies, joints, pairs: Vec::new() }
+    }
+
+    /// The mechanism with pairs of bodies that may touch.
+    #[must_use]
+    pub fn touching(self, pairs: Vec<Arc<dyn Pair>>) -> Self {
+        Self { pairs, ..self }
     }
 
     /// The mechanism with bodies that another program steers, in their order.
     #[must_use]
     pub fn steered(self, steering: &[Option<Steering>]) -> Self {
-        let Self { mut bodies, joints } = self;
+        let Self { mut bodies, joints, pairs } = self;
         for (body, steering) in bodies.iter_mut().zip(steering) {
             if let Some(steering) = steering {
                 *body = body.clone().steered(*steering);
             }
         }
-        Self { bodies, joints }
+        Self { bodies, joints, pairs }
     }
 
     /// Whether the mechanism can be computed.
@@ -78,7 +86,11 @@ impl Mechanism {
                 return Err(Invalid::Joint);
             }
         }
-        Ok(())
+        let exist = |pair: &Arc<dyn Pair>| {
+            let [first, second] = pair.bodies();
+            first != second && first.max(second) < self.bodies.len()
+        };
+        if self.pairs.iter().all(exist) { Ok(()) } else { Err(Invalid::Joint) }
     }
 
     /// The bodies.
@@ -93,10 +105,16 @@ impl Mechanism {
         &self.joints
     }
 
+    /// The pairs of bodies that may touch.
+    #[must_use]
+    pub fn pairs(&self) -> &[Arc<dyn Pair>] {
+        &self.pairs
+    }
+
     /// Whether a state has as many bodies and joints as the mechanism.
     #[must_use]
     pub fn accepts(&self, state: &MechanismState) -> bool {
-        state.bodies.len() == self.bodies.len() && state.joints.len() == self.joints.len()
+        state.bodies.len() == self.bodies.len() && state.joints.len() == self.joints.len() + self.pairs.len()
     }
 
     /// Kinetic energy [J] of the whole bodies, prescribed motions included.

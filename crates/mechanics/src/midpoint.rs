@@ -127,7 +127,8 @@ impl Mechanism {
                 Some(Steering::Coupled { acceleration, .. }) => conditions.dt * acceleration,
                 _ => body.driven(&change, &moving.axes),
             };
-            moving.kick = respond(moving, &(moving.impulses.contact + moving.impulses.load), &jump);
+            let met = moving.impulses.contact + moving.impulses.touch + moving.impulses.load;
+            moving.kick = respond(moving, &met, &jump);
         }
         system.factor(bodies, joints, Answer::Rigid);
         let sought = rows(joints).map(|(joint, row)| -joint.velocity(row, |body| bodies[body].kick));
@@ -135,7 +136,8 @@ impl Mechanism {
         for (n, ((body, now), moving)) in self.bodies().iter().zip(&state.bodies).zip(bodies).enumerate() {
             let reaction = on_body(joints, n, |joint| &joint.reaction);
             moving.kick += moving.mobility.response(&reaction);
-            let free = moving.impulses.contact + moving.impulses.load + reaction;
+            let Impulses { contact, touch, load, .. } = moving.impulses;
+            let free = contact + touch + load + reaction;
             moving.impulses.joint_reaction = reaction;
             moving.impulses.drive_reaction = support(body, moving, &moving.kick, &free);
             let all = free + moving.impulses.drive_reaction;

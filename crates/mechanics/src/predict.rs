@@ -15,5 +15,10 @@ impl Mechanism {
         for joint in joints {
             joint.prepare(bodies);
         }
+        step.find_touches(self, state);
+        if !step.touches.is_empty() {
+            step.collide();
+            step.settle();
+        }
     }
 }

@@ -17,7 +17,7 @@ impl Mechanism {
         let each = self.bodies().iter().enumerate();
         let mut state = MechanismState {
             bodies: each.map(|(n, body)| body.state(given(n).0, given(n).1)).collect(),
-            joints: vec![JointState::default(); self.joints().len()],
+            joints: vec![JointState::default(); self.joints().len() + self.pairs().len()],
         };
         if !self.joints().is_empty() {
             let mut step = Step::default();

@@ -7,6 +7,7 @@ use crate::impulses::{Impulses, Work};
 use crate::mobility::Mobility;
 use crate::moving::{MovingBody, MovingJoint};
 use crate::system::System;
+use crate::touching::MovingTouch;
 use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::{DMat3, DVec3};
@@ -28,6 +29,7 @@ pub struct Step {
     pub(crate) conditions: Conditions,
     pub(crate) bodies: Vec<MovingBody>,
     pub(crate) joints: Vec<MovingJoint>,
+    pub(crate) touches: Vec<MovingTouch>,
     pub(crate) system: System,
 }
 
@@ -152,6 +154,18 @@ impl Step {
     pub fn work(&self, body: usize) -> Work {
         let body = &self.bodies[body];
         body.impulses.work(&body.met, &body.twist)
+    }
+
+    /// Whether bodies act on each other, by joints or where they touch.
+    #[must_use]
+    pub fn is_coupled(&self) -> bool {
+        !self.joints.is_empty() || !self.touches.is_empty()
+    }
+
+    /// Number of places where bodies touch or may touch in the step.
+    #[must_use]
+    pub fn touches(&self) -> usize {
+        self.touches.len()
     }
 
     /// Number of joints.

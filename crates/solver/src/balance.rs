@@ -35,7 +35,7 @@ pub(crate) fn account<R: Kernels>(
     balance.contact -= work.on_soil + work.friction_work + work.water_work + sums.pressing;
     for n in 0..state.bodies.len() {
         let done = bodies.work(n);
-        balance.external += modelled * (done.load + done.gravity + done.joint + done.drive);
+        balance.external += modelled * (done.load + done.gravity + done.touch + done.joint + done.drive);
         balance.contact -= modelled * done.contact;
     }
 }

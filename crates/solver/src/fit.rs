@@ -29,7 +29,7 @@ impl<R> State<R> {
             && history.all(|(variable, field)| kinds.need(variable) != field.is_empty())
             && self.soil.composition.len() + 1 == model.materials.len()
             && self.mechanism.bodies.len() == model.bodies.len()
-            && self.mechanism.joints.len() == model.joints.len()
+            && self.mechanism.joints.len() == model.joints.len() + model.pairs.len()
             && (0.0..f64::INFINITY).contains(&self.time)
             && self.step < MOST_STEPS
             && self.has_bodies_of(model)

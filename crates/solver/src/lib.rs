@@ -33,5 +33,6 @@ mod rest;
 mod scalar;
 pub mod state;
 pub mod step;
+pub mod touching;
 mod uneven;
 pub mod workspace;

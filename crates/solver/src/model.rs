@@ -8,7 +8,7 @@ use geometry::relief::Relief;
 use geometry::{RimPoint, Shape};
 use glam::{DMat3, DQuat, DVec3};
 use mechanics::joint::Joint;
-use mechanics::{Fluid, Inertia, Mechanism, Motion, Pose};
+use mechanics::{Fluid, Inertia, Mechanism, Motion, Pair, Pose};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -42,6 +42,8 @@ pub struct Model {
     pub bodies: Vec<BodyModel>,
     /// Joints between bodies, or between bodies and the ground.
     pub joints: Vec<Arc<dyn Joint>>,
+    /// Pairs of bodies that may touch.
+    pub pairs: Vec<Arc<dyn Pair>>,
     /// Portion of the width of each body that is modelled: 1, of a slab of plane strain its thickness over
     /// the width that bodies, forces and energies refer to.
     pub modelled_width: f64,
@@ -123,8 +125,13 @@ impl BodyModel {
     /// rolling.
     #[must_use]
     pub fn attitude(&self, pose: &Pose) -> DQuat {
-        if self.shape.is_revolved() { of_axle((pose.rotation * DVec3::Y).normalize()) } else { pose.rotation }
+        attitude(self.shape.is_revolved(), pose)
     }
+}
+
+/// [`BodyModel::attitude`] of a body whose shape is one of revolution, or is not.
+pub(crate) fn attitude(is_revolved: bool, pose: &Pose) -> DQuat {
+    if is_revolved { of_axle((pose.rotation * DVec3::Y).normalize()) } else { pose.rotation }
 }
 
 /// The rotation that turns y to an axle (a unit vector) by a tilt, and then a yaw. Without a spin of its own,
@@ -215,6 +222,7 @@ impl Model {
             follow: None,
             bodies: Vec::new(),
             joints: Vec::new(),
+            pairs: Vec::new(),
             modelled_width: 1.0,
             method: Method::default(),
         }
@@ -240,7 +248,7 @@ impl Model {
     #[must_use]
     pub fn mechanism(&self) -> Mechanism {
         let bodies = self.bodies.iter().map(|body| body.mechanical(self.modelled_fraction()));
-        Mechanism::unchecked(bodies.collect(), self.joints.clone())
+        Mechanism::unchecked(bodies.collect(), self.joints.clone()).touching(self.pairs.clone())
     }
 
     /// Whether the soil is driven along y rather than x: by the first body that has a prescribed speed, or

@@ -2,17 +2,18 @@
 
 use super::keys::{FIELDS, KEYS};
 use super::{Joint, JointKind};
-use crate::body::Body;
+use crate::body::{Body, Guide};
 use crate::domain::Domain;
 use crate::key::in_range;
 use glam::DVec3;
 use input::key::{in_ranges, numbers as placed};
 use input::problem::Problems;
+use mechanics::Motion;
 
 /// Reports joints that name bodies which are not there, with numbers out of range, or off a plane of
 /// symmetry.
 pub(crate) fn joints(joints: &[Joint], bodies: &[Body], domain: &Domain, problems: &mut Problems) {
-    for joint in joints {
+    for (number, joint) in joints.iter().enumerate() {
         let path = joint.path();
         let exists = |body: usize| body < bodies.len();
         if !exists(joint.second) || joint.first.is_some_and(|n| !exists(n) || n == joint.second) {
@@ -20,9 +21,41 @@ pub(crate) fn joints(joints: &[Joint], bodies: &[Body], domain: &Domain, problem
             problems.add(format!("{path}.bodies"), message, "name two bodies, or the ground and a body");
             continue;
         }
+        if joint.is_contact() {
+            let surfaceless = |n: Option<usize>| n.is_none_or(|n| !bodies[n].has_surface());
+            if surfaceless(joint.first) || surfaceless(Some(joint.second)) {
+                let message = "a body without a surface touches nothing";
+                problems.add(format!("{path}.bodies"), message, "name two bodies with a shape");
+                continue;
+            }
+            contact(joint, &joints[..number], bodies, problems);
+        }
         if numbers(&path, joint, problems) {
             keeps_to_the_planes(joint, bodies[joint.second].position.y, domain, problems);
         }
+    }
+}
+
+/// Reports contact that is there already, and contact of bodies of which neither can give way.
+fn contact(joint: &Joint, before: &[Joint], bodies: &[Body], problems: &mut Problems) {
+    let path = format!("{}.bodies", joint.path());
+    let pair = |joint: &Joint| {
+        let first = joint.first.unwrap_or(joint.second);
+        [first.min(joint.second), first.max(joint.second)]
+    };
+    let is_same = |other: &&Joint| other.is_contact() && pair(other) == pair(joint);
+    if let Some(same) = before.iter().find(is_same) {
+        let message = format!("they are in contact by [{}] already", same.path());
+        problems.add(&*path, message, "remove one of the two");
+    }
+    let gives_way = |n: usize| {
+        let Guide { translation, rotation, .. } = bodies[n].guided();
+        let mut motions = translation.iter().chain(&rotation).chain([bodies[n].spin()]);
+        motions.any(Motion::is_free)
+    };
+    if !pair(joint).into_iter().any(gives_way) {
+        let message = "neither of the two can give way: they would move through each other";
+        problems.add(path, message, "give one of them a free motion, such as heave = \"free\"");
     }
 }
 
@@ -34,7 +67,7 @@ fn numbers(path: &str, joint: &Joint, problems: &mut Problems) -> bool {
     match joint.kind {
         JointKind::Hinge { axis, .. } | JointKind::Slider { axis } => vector("axis", axis),
         JointKind::Spring { from, .. } => vector("from", from),
-        JointKind::Ball => true,
+        JointKind::Ball | JointKind::Contact { .. } => true,
     };
     in_ranges(path, &placed(FIELDS, joint), problems);
     problems.len() == before
@@ -54,7 +87,7 @@ fn keeps_to_the_planes(joint: &Joint, middle: f64, domain: &Domain, problems: &m
     }
     let (key, is_across) = match joint.kind {
         JointKind::Hinge { axis, .. } => ("axis", axis.x == 0.0 && axis.z == 0.0),
-        JointKind::Ball => ("kind", true),
+        JointKind::Ball | JointKind::Contact { .. } => ("kind", true),
         JointKind::Slider { axis } => ("axis", axis.y == 0.0),
         JointKind::Spring { from, .. } => ("from", from.y == middle),
     };

@@ -1,10 +1,10 @@
 //! Keys of a joint, and where their values lie.
 
 use super::{Joint, JointKind};
-use crate::key::allowed::{NOT_NEGATIVE, POSITIVE};
+use crate::key::allowed::{FRACTION, NOT_NEGATIVE, POSITIVE};
 use crate::key::part;
 use crate::key::words::JOINTS;
-use input::key::DefaultValue::Quantity;
+use input::key::DefaultValue::{Number, Quantity};
 use input::key::{Key, KeyOf, Kind, Place, declared};
 use input::quantity::{DAMPING, LENGTH, STIFFNESS, TORQUE};
 
@@ -14,7 +14,7 @@ type Field = KeyOf<Joint>;
 pub(super) const FIELDS: &[Field] = &[
     Field::new("kind", Kind::Choice(&JOINTS), Place::Elsewhere).means(
         "A hinge, a ball joint or a slider, which let the second body rotate about an axis, rotate about a point, or move along an \
-         axis; a spring with a damper, or a cable, which only pulls.",
+         axis; a spring with a damper, or a cable, which only pulls; contact of their surfaces, which only pushes and rubs.",
     ),
     Field::new("bodies", Kind::NamePair, Place::Elsewhere).means(
         "The two bodies; the first may be \"ground\". By a hinge, a ball joint or a slider the first carries the second.",
@@ -50,6 +50,14 @@ pub(super) const FIELDS: &[Field] = &[
         .derived("the distance of its ends at the start")
         .within(POSITIVE)
         .means("Length without force (spring, cable)."),
+    Field::new("friction", Kind::Number, part!(kind, JointKind::Contact, friction))
+        .derived("required (contact)")
+        .within(NOT_NEGATIVE)
+        .means("Coefficient of friction between the two surfaces."),
+    Field::new("restitution", Kind::Number, part!(kind, JointKind::Contact, restitution))
+        .default(Number(0.0))
+        .within(FRACTION)
+        .means("Velocity at which the surfaces part after an impact, over that at which they meet (contact)."),
 ];
 
 /// Keys of a joint, without the places of their values.

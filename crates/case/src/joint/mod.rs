@@ -10,9 +10,11 @@ pub(crate) use read::{between_wholes, carried, guide_all, typed};
 
 use super::body::Body;
 use glam::DVec3;
-use mechanics::Pose;
 use mechanics::joint::{self, Ball, Hinge, Slider, Spring};
+use mechanics::{Pose, Surfaces};
 use serde::Serialize;
+use solver::model::BodyModel;
+use solver::touching::TouchingBodies;
 use std::sync::Arc;
 
 /// What joints call the ground.
@@ -66,13 +68,20 @@ pub enum JointKind {
         /// Whether the spring only pulls: a cable.
         is_cable: bool,
     },
+    /// Any motion, but not into each other: contact of two bodies.
+    Contact {
+        /// Coefficient of friction.
+        friction: f64,
+        /// Coefficient of restitution.
+        restitution: f64,
+    },
 }
 
 impl JointKind {
     /// Whether the first body carries the second: its motion then follows from that of the first.
     #[must_use]
     pub fn carries(&self) -> bool {
-        !matches!(self, Self::Spring { .. })
+        !matches!(self, Self::Spring { .. } | Self::Contact { .. })
     }
 
     /// Word of the joint in a case file.
@@ -84,6 +93,7 @@ impl JointKind {
             Self::Slider { .. } => "slider",
             Self::Spring { is_cable: true, .. } => "cable",
             Self::Spring { .. } => "spring",
+            Self::Contact { .. } => "contact",
         }
     }
 }
@@ -94,9 +104,22 @@ impl Joint {
         format!("joint.{}", self.name)
     }
 
-    /// The joint of a mechanism of these bodies.
+    /// Whether it is contact of two surfaces; such joints come after all others.
     #[must_use]
-    pub fn mechanical(&self, bodies: &[Body]) -> Arc<dyn joint::Joint> {
+    pub fn is_contact(&self) -> bool {
+        matches!(self.kind, JointKind::Contact { .. })
+    }
+
+    /// The bodies that may touch and their surfaces, if the joint is contact.
+    #[must_use]
+    pub fn touching(&self, bodies: &[BodyModel]) -> Option<TouchingBodies> {
+        let JointKind::Contact { friction, restitution } = self.kind else { return None };
+        TouchingBodies::new(bodies, [self.first?, self.second], Surfaces { friction, restitution })
+    }
+
+    /// The joint of a mechanism of these bodies; `None` where it is contact.
+    #[must_use]
+    pub fn mechanical(&self, bodies: &[Body]) -> Option<Arc<dyn joint::Joint>> {
         let pose = |body: Option<usize>| {
             body.and_then(|n| bodies.get(n)).map_or(Pose::IDENTITY, |body| Pose {
                 position: body.position,
@@ -105,7 +128,8 @@ impl Joint {
         };
         let (first, second) = (pose(self.first), pose(Some(self.second)));
         let (ends, poses) = ([self.first, Some(self.second)], [&first, &second]);
-        match self.kind {
+        Some(match self.kind {
+            JointKind::Contact { .. } => return None,
             JointKind::Hinge { axis, friction_torque, drive_torque } => Arc::new(
                 Hinge::at(self.position, axis, ends, poses)
                     .with_friction(friction_torque)
@@ -119,6 +143,6 @@ impl Joint {
                 is_cable,
                 ..Spring::between([from, self.position], ends, poses, stiffness)
             }),
-        }
+        })
     }
 }

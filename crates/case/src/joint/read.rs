@@ -12,14 +12,16 @@ use input::typed::Section;
 use mechanics::Motion;
 
 /// Keys that only some joints have, for each kind.
-const OWN: [(&str, &[&str]); 5] = [
+const OWN: [(&str, &[&str]); 6] = [
     ("hinge", &["axis", "friction_torque", "drive_torque"]),
     ("ball", &[]),
     ("slider", &["axis"]),
     ("spring", OF_SPRING),
     ("cable", OF_SPRING),
+    ("contact", OF_CONTACT),
 ];
 const OF_SPRING: &[&str] = &["from", "stiffness", "damping", "length"];
+const OF_CONTACT: &[&str] = &["friction", "restitution"];
 
 /// Names of the bodies that joints carry.
 pub(crate) fn carried(sections: &[Section]) -> Vec<String> {
@@ -72,7 +74,7 @@ pub(crate) fn typed(
     ["kind", "bodies"].iter().for_each(|key| missing(KEYS, section, key, problems));
     let (kind, names) = (section.text("kind")?, section.words("bodies")?);
     let allowed = OWN.iter().find(|(word, _)| *word == kind).map_or(&[][..], |(_, keys)| keys);
-    let others = ["axis", "friction_torque", "drive_torque"].iter().chain(OF_SPRING);
+    let others = ["axis", "friction_torque", "drive_torque"].iter().chain(OF_SPRING).chain(OF_CONTACT);
     for key in others.filter(|key| section.has(key) && !allowed.contains(key)) {
         let message = format!("`{key}` does not apply to kind = \"{kind}\"");
         problems.add(section.at(key), message, "remove it, or choose another kind of joint");
@@ -92,6 +94,19 @@ pub(crate) fn typed(
             JointKind::Hinge { axis, friction_torque: 0.0, drive_torque: 0.0 }
         }
         "ball" => JointKind::Ball,
+        "contact" => {
+            let friction = required(KEYS, section, "friction", problems);
+            if first.is_none() {
+                let message = format!("\"{GROUND}\" has no surface that another body could touch");
+                problems.add(
+                    section.at("bodies"),
+                    message,
+                    "name a body that does not move, such as a stone",
+                );
+                return None;
+            }
+            JointKind::Contact { friction: friction?, restitution: 0.0 }
+        }
         "slider" => JointKind::Slider { axis: axis(section, None, problems)? },
         word => {
             let stiffness = required(KEYS, section, "stiffness", problems);
@@ -234,6 +249,7 @@ fn guide(joint: &Joint, bodies: &mut [Body]) {
                 guide.translation[n] = Motion::FREE;
             }
         }
+        JointKind::Contact { .. } => return,
         JointKind::Spring { .. } => {
             let own = body.guided();
             guide = Guide {

@@ -15,7 +15,7 @@ pub const BEVELS: [&str; 5] = ["both", "left", "right", "front", "back"];
 /// Sides of a dished disc.
 pub const HOLLOWS: [&str; 2] = ["left", "right"];
 /// Kinds of joints.
-pub const JOINTS: [&str; 5] = ["hinge", "ball", "slider", "spring", "cable"];
+pub const JOINTS: [&str; 6] = ["hinge", "ball", "slider", "spring", "cable", "contact"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// What a table's times count from: their zero, or its first line.

@@ -232,6 +232,9 @@ fn describe_joint(text: &mut String, case: &Case, joint: &Joint) -> std::fmt::Re
             }
         }
         JointKind::Ball => {}
+        JointKind::Contact { friction, restitution } => {
+            return writeln!(text, ", friction {}, restitution {}", short(friction), short(restitution));
+        }
         JointKind::Slider { axis } => write!(text, ", axis ({})", direction(axis))?,
         JointKind::Spring { stiffness, damping, length, .. } => {
             write!(text, ", {} N/m, {} N s/m, {} m long", short(stiffness), short(damping), short(length))?;

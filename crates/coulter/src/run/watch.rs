@@ -37,7 +37,7 @@ pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> 
     }
     if let Some((one, other, at)) = meeting_bodies(model, state) {
         let what = format!("the bodies `{one}` and `{other}` have run into each other");
-        let cure = "contact between bodies is not modelled: keep them apart, by their motions or by joints";
+        let cure = "let them touch, by a joint of kind \"contact\", or keep them apart by their motions";
         return broken(what, cure, at);
     }
     if let Some(per_cent) = pressed_lid(history, simulation.setting().least_force()) {

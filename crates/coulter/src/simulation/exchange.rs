@@ -2,6 +2,7 @@
 //! move, and gets what the soil has done to them.
 
 use super::{Observer, ObserverError, Simulation, Stop, asked};
+use case::resolved::Joint;
 use glam::{DQuat, DVec3};
 use mechanics::{Mobility, Pose, Steering, Twist, Wrench};
 use solver::error::Breakdown;
@@ -388,6 +389,7 @@ impl<R: Precision> Simulation<R> {
                 Ok((Some(Steering::Prescribed(self.admitted(body, &twist, steps.dt)?)), None))
             }
             Command::Coupled(coupled) => {
+                self.alone(body)?;
                 let twist = self.admitted(body, &coupled.twist, steps.dt)?;
                 let at = self.near(body, &coupled.pose)?;
                 finite(&[coupled.acceleration.linear, coupled.acceleration.angular])?;
@@ -395,6 +397,18 @@ impl<R: Precision> Simulation<R> {
                 let (mobility, acceleration) = coupled.mobility.held(&fixed, coupled.acceleration);
                 Ok((Some(Steering::Coupled { mobility, acceleration }), Some((at, twist))))
             }
+        }
+    }
+
+    /// A body of another program's mechanism has its joints there, and touches other bodies there.
+    fn alone(&self, body: usize) -> Result<(), String> {
+        let has = |joint: &&Joint| joint.first == Some(body) || joint.second == body;
+        match self.case.joints.iter().find(has) {
+            None => Ok(()),
+            Some(joint) => Err(format!(
+                "it has the joint `{}` here, whose forces the other program would not know: leave it out",
+                joint.name
+            )),
         }
     }
 

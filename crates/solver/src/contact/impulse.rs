@@ -107,21 +107,21 @@ impl Impulses {
         let count = problem.islands.nodes.len();
         islands.resize_with(count, SweptIsland::default);
         let least = (CONSTRAINTS_AT_ONCE * count).div_ceil(order.len().max(1)).max(1);
-        // Joints connect islands; without them all sweeps are one piece of work.
-        let has_joints = problem.moving.joints() > 0;
-        let (known, sweeps) = (&*problem, if has_joints { 0 } else { SWEEPS });
+        // Joints and touching bodies connect islands; without them all sweeps are one piece of work.
+        let is_coupled = problem.moving.is_coupled();
+        let (known, sweeps) = (&*problem, if is_coupled { 0 } else { SWEEPS });
         problem.crew.portions(islands, least, |first, islands| {
             for (n, island) in islands.iter_mut().enumerate() {
                 island.begin(known, first + n, prepared, order);
                 island.sweep(sweeps);
             }
         });
-        for _ in 0..if has_joints { SWEEPS } else { 0 } {
+        for _ in 0..if is_coupled { SWEEPS } else { 0 } {
             problem
                 .crew
                 .portions(islands, least, |_, islands| islands.iter_mut().for_each(|island| island.sweep(1)));
             islands.iter().for_each(|island| island.put_bodies_back(problem));
-            problem.moving.relax_joints();
+            problem.moving.settle();
             islands.iter_mut().for_each(|island| island.strike(problem));
         }
         for (n, island) in islands.iter().enumerate() {

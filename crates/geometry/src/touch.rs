@@ -1,0 +1,165 @@
+//! Where solids touch each other, by a collision library.
+
+use crate::{MassProperties, Shape};
+use glam::{DQuat, DVec3};
+use parry3d_f64::math::{Pose3, Rot3, Vec3};
+use parry3d_f64::query::{ContactManifold, DefaultQueryDispatcher, PersistentQueryDispatcher};
+use parry3d_f64::shape::{SharedShape, TriMeshFlags};
+
+/// Difference of its volume from that of its convex hull, relative to it, below which a solid is convex.
+const CONVEX: f64 = 1e-6;
+
+/// A solid as the collision library knows it: a ball or a disc with sharp rims as it is, any other by its
+/// mesh.
+#[derive(Clone)]
+pub struct Solid {
+    shape: SharedShape,
+    /// Radius of the ball about the reference point that encloses it [m].
+    pub radius: f64,
+}
+
+impl std::fmt::Debug for Solid {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Solid {{ radius: {} }}", self.radius)
+    }
+}
+
+/// Where a body is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Place {
+    /// Of its reference point [m].
+    pub position: DVec3,
+    /// How it is turned.
+    pub attitude: DQuat,
+}
+
+/// A place where two solids touch, or nearly do.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Near {
+    /// From the reference point of each to the point of its surface, along the axes of space [m].
+    pub arms: [DVec3; 2],
+    /// Unit normal from the first to the second, along the axes of space.
+    pub normal: DVec3,
+    /// Gap between the surfaces [m], negative where they overlap.
+    pub gap: f64,
+}
+
+impl Solid {
+    /// The solid of a shape; `None` for one without a surface, or whose mesh is none.
+    #[must_use]
+    pub fn of(shape: &dyn Shape) -> Option<Self> {
+        if !shape.has_surface() {
+            return None;
+        }
+        let (low, high) = shape.bounds();
+        let radius = low.abs().max(high.abs()).length();
+        let own = if let Some(radius) = shape.as_ball() {
+            SharedShape::ball(radius)
+        } else if let Some([diameter, thickness]) = shape.as_disc() {
+            SharedShape::cylinder(0.5 * thickness, 0.5 * diameter)
+        } else {
+            of_mesh(shape)?
+        };
+        Some(Self { shape: own, radius })
+    }
+
+    /// Adds where two solids are nearer than `reach` [m].
+    pub fn near(solids: [&Self; 2], places: [&Place; 2], reach: f64, found: &mut Vec<Near>) {
+        let [first, second] = places;
+        let apart = first.position.distance(second.position);
+        if apart > solids[0].radius + solids[1].radius + reach {
+            return;
+        }
+        let to_first = first.attitude.inverse();
+        let from_first = pose(to_first * (second.position - first.position), to_first * second.attitude);
+        let mut manifolds: Vec<ContactManifold<(), ()>> = Vec::new();
+        let [a, b] = solids.map(|solid| &*solid.shape);
+        // Every pair of the shapes that are made here is known to the library.
+        let _ = DefaultQueryDispatcher.contact_manifolds(&from_first, a, b, reach, &mut manifolds, &mut None);
+        for manifold in &manifolds {
+            let normal = first.attitude * of(manifold.local_n1);
+            for point in manifold.points.iter().filter(|point| point.dist < reach) {
+                let [on_first, on_second] = [
+                    manifold.subshape_pos1().map_or(point.local_p1, |pose| pose * point.local_p1),
+                    manifold.subshape_pos2().map_or(point.local_p2, |pose| pose * point.local_p2),
+                ];
+                let arms = [first.attitude * of(on_first), second.attitude * of(on_second)];
+                found.push(Near { arms, normal, gap: point.dist });
+            }
+        }
+    }
+}
+
+/// A convex solid by its hull, any other by its triangles.
+fn of_mesh(shape: &dyn Shape) -> Option<SharedShape> {
+    let mesh = shape.mesh();
+    let points: Vec<Vec3> = mesh.points.iter().map(|point| vector(*point)).collect();
+    let volume = MassProperties::of_mesh(&mesh).volume;
+    let hull = SharedShape::convex_hull(&points);
+    let is_convex = |hull: &SharedShape| (hull.mass_properties(1.0).mass() / volume - 1.0).abs() < CONVEX;
+    hull.filter(is_convex).or_else(|| {
+        let flags = TriMeshFlags::FIX_INTERNAL_EDGES;
+        SharedShape::trimesh_with_flags(points, mesh.triangles, flags).ok()
+    })
+}
+
+fn vector(v: DVec3) -> Vec3 {
+    Vec3::from_array(v.to_array())
+}
+
+fn of(v: Vec3) -> DVec3 {
+    DVec3::from_array(v.to_array())
+}
+
+fn pose(position: DVec3, attitude: DQuat) -> Pose3 {
+    Pose3::from_parts(vector(position), Rot3::from_array(attitude.to_array()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Block, Disc, Sphere};
+
+    fn near(a: &dyn Shape, b: &dyn Shape, at: DVec3, attitude: DQuat) -> Vec<Near> {
+        let solids = [a, b].map(|shape| Solid::of(shape).expect("a solid"));
+        let places = [Place::default(), Place { position: at, attitude }];
+        let mut found = Vec::new();
+        Solid::near([&solids[0], &solids[1]], [&places[0], &places[1]], 0.01, &mut found);
+        found
+    }
+
+    #[test]
+    fn balls_touch_in_one_point_between_their_middles() {
+        let ball = Sphere { diameter: 0.2 };
+        let at = DVec3::new(0.12, 0.0, 0.16);
+        let found = near(&ball, &ball, 1.01 * at, DQuat::IDENTITY);
+        assert_eq!(found.len(), 1);
+        let Near { arms, normal, gap } = found[0];
+        assert!((gap - 0.002).abs() < 1e-12 && (normal - at / 0.2).length() < 1e-12, "{found:?}");
+        assert!((arms[0] - 0.5 * at).length() < 1e-12 && (arms[1] + 0.5 * at).length() < 1e-12);
+    }
+
+    #[test]
+    fn a_block_stands_on_four_corners_of_another() {
+        let (wide, small) = (DVec3::new(1.0, 1.0, 0.2), DVec3::new(0.2, 0.1, 0.1));
+        let turned = DQuat::from_rotation_z(0.3);
+        let found = near(&Block { size: wide }, &Block { size: small }, DVec3::new(0.1, 0.2, 0.15), turned);
+        assert!(found.iter().all(|n| n.gap.abs() < 1e-12 && (n.normal - DVec3::Z).length() < 1e-12));
+        // The library may add points between them, where it looked first.
+        for (x, y) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+            let corner = turned * (0.5 * small * DVec3::new(x, y, -1.0));
+            assert!(found.iter().any(|near| (near.arms[1] - corner).length() < 1e-9), "{corner}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn a_disc_stands_on_its_rim() {
+        let disc = Disc { diameter: 0.4, thickness: 0.1 };
+        let ground = Block { size: DVec3::new(2.0, 2.0, 0.2) };
+        let turned = DQuat::from_rotation_y(0.7);
+        let found = near(&ground, &disc, DVec3::new(0.0, 0.0, 0.3), turned);
+        let ends: Vec<f64> = found.iter().map(|near| near.arms[1].y).collect();
+        assert!(ends.iter().any(|y| *y > 0.049) && ends.iter().any(|y| *y < -0.049), "{found:?}");
+        assert!(found.iter().all(|near| near.gap.abs() < 1e-7 && near.arms[1].x.abs() < 0.02), "{found:?}");
+    }
+}
