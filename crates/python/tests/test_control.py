@@ -81,7 +81,6 @@ def test_the_integral_does_not_wind_up_at_a_limit() -> None:
         ({"derivative_time": -1.0}, "derivative_time = -1"),
         ({"derivative_filter": 0.0}, "derivative_filter"),
         ({"setpoint_weight": math.inf}, "setpoint_weight"),
-        ({"tracking_time": 1.0}, "give an integral_time"),
     ],
 )
 def test_what_makes_no_controller_is_refused(wrong: dict[str, Any], why: str) -> None:

@@ -16,8 +16,8 @@ class Controller:
         D = T_d / (T_d + N h) (D before - K N (y - y before))
         I afterwards = I + K h / T_i (r - y) + h / T_t (u - v)
 
-    The last term keeps the integral from winding up while the output is at a limit. Source: Åström & Hägglund 1995, PID Controllers,
-    chapter 3. The unit of K is that of the output over that of the measured value.
+    The last term keeps the integral from winding up while the output is at a limit; T_t is T_i, with a derivative √(T_i T_d). Source:
+    Åström & Hägglund 1995, PID Controllers, chapter 3. The unit of K is that of the output over that of the measured value.
 
     Three uses, in a loop ``while soil.time < end`` with ``now = soil.bodies["tine"]`` and exchanges every ``h`` seconds. The case needs a
     motion for each direction that is steered, such as ``heave = { speed = "0 m/s" }``.
@@ -59,7 +59,6 @@ class Controller:
         derivative_time: float = 0.0,
         derivative_filter: float = 10.0,
         setpoint_weight: float = 1.0,
-        tracking_time: float | None = None,
     ) -> None:
         """A controller at its start.
 
@@ -70,7 +69,6 @@ class Controller:
             derivative_time: T_d [s].
             derivative_filter: N: the derivative is smoothed over T_d/N. Usual are 2 to 20.
             setpoint_weight: b: how much of a change of the setpoint acts at once, usually 0 to 1.
-            tracking_time: T_t [s], within which the integral follows an output at its limit; T_i, or √(T_i T_d), by default.
 
         Raises:
             RequestError: a number that makes no controller.
@@ -79,23 +77,17 @@ class Controller:
         _require(math.isfinite(gain) and gain != 0.0, f"gain = {gain}: it must be finite and not zero")
         _require(low < high, f"limits = ({low}, {high}): the first must be less than the second")
         _positive("integral_time", integral_time)
-        _positive("tracking_time", tracking_time)
         _require(
             math.isfinite(derivative_time) and derivative_time >= 0.0,
             f"derivative_time = {derivative_time}: it must be a time in seconds, or 0",
         )
         _positive("derivative_filter", derivative_filter)
         _require(math.isfinite(setpoint_weight), f"setpoint_weight = {setpoint_weight}: it must be finite")
-        _require(
-            tracking_time is None or integral_time is not None,
-            "tracking_time: there is no integral part; give an integral_time",
-        )
         self._gain, self._limits, self._weight = gain, (low, high), setpoint_weight
         self._integral_time, self._derivative_time, self._filter = integral_time, derivative_time, derivative_filter
-        self._tracking_time = tracking_time
-        if integral_time is not None and tracking_time is None:
-            has_derivative = derivative_time > 0.0
-            self._tracking_time = math.sqrt(integral_time * derivative_time) if has_derivative else integral_time
+        self._tracking_time = integral_time
+        if integral_time is not None and derivative_time > 0.0:
+            self._tracking_time = math.sqrt(integral_time * derivative_time)
         self.reset()
 
     def reset(self, integral: float = 0.0) -> None:
