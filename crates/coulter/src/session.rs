@@ -6,14 +6,16 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-/// What a run says, once after each wish; after a wish that it refuses, and after a state that was wished
-/// for, it then says where it stands.
+/// What a run says, once after each wish; after a wish that it refuses, and after heights or a state that
+/// were wished for, it then says where it stands.
 #[derive(Debug)]
 pub enum Said<T> {
     /// It stands at an exchange.
     At(Exchange),
     /// The wish cannot be fulfilled; why.
     Refused(String),
+    /// The heights of the ground that were wished for [m], `None` outside the grid.
+    Ground(Vec<Option<f64>>),
     /// The state that was wished for.
     Saved(Vec<u8>),
     /// It has ended, in this way.
@@ -103,6 +105,10 @@ impl<T> Steerer for HandedOn<T> {
 
     fn refused(&mut self, why: String) {
         self.say(Said::Refused(why));
+    }
+
+    fn ground(&mut self, heights: Vec<Option<f64>>) {
+        self.say(Said::Ground(heights));
     }
 
     fn saved(&mut self, state: Vec<u8>) {

@@ -7,6 +7,7 @@ use coulter::trust::limits;
 use glam::{DQuat, DVec3};
 use mechanics::{Mobility, Pose, Twist, Wrench};
 use solver::precision::Precision;
+use std::f64::consts::TAU;
 
 const DISC: &str = include_str!("../../../cases/light_disc.toml");
 
@@ -349,4 +350,79 @@ fn a_body_that_is_led_out_of_the_box_is_named() {
     });
     let said = ended.unwrap().to_string();
     assert!(said.contains("disc") && said.contains("behind"), "{said}");
+}
+
+const FIELD: &str = include_str!("../../../cases/furrowed_field.toml");
+
+/// A disc above furrows on a coarse grid.
+fn field(set: &[&str]) -> Case {
+    let coarse = ["grid.cell=12 mm", "run.tow_distance=0.3 m"];
+    let set: Vec<String> = coarse.iter().chain(set).map(|&one| one.to_owned()).collect();
+    case::parse(FIELD, "case.toml", &set).unwrap()
+}
+
+/// Height of the furrows in front of the disc of `field`, at most this far from their formula [m].
+fn furrows_are_sensed(simulation: &Simulation<impl Precision>, within: f64) {
+    let x = simulation.state.pose(0).position.x;
+    let places: Vec<[f64; 2]> = (0..40).map(|n| [x + 0.15 + 0.004 * f64::from(n), 0.01]).collect();
+    let heights = simulation.ground(&places);
+    let formula = |x: f64| 0.01 * (TAU * x / 0.2).cos();
+    let off = places.iter().zip(&heights).map(|([x, _], height)| (height.unwrap() - formula(*x)).abs());
+    let most = off.fold(0.0, f64::max);
+    println!("{} s: {most:.5} m", simulation.state.time);
+    assert!(most < within, "{most}");
+    // The furrows run straight across the plane of symmetry.
+    let mirrored: Vec<[f64; 2]> = places.iter().map(|[x, y]| [*x, -y]).collect();
+    assert_eq!(simulation.ground(&mirrored), heights);
+}
+
+/// Furrows are sensed as they are, at the start and under a grid that has travelled; level ground exactly.
+fn ground_is_sensed<R: Precision>(numerics: &str) {
+    let level = Simulation::<R>::new(&disc(&[numerics]));
+    let heights = level.ground(&[[0.25, 0.1], [-0.3, -0.1], [0.25, 9.0], [9.0, 0.0], [f64::NAN, 0.0]]);
+    assert_eq!(heights, [Some(0.0), Some(0.0), None, None, None]);
+    // Cells are 24 mm wide, an eighth of a furrow, and 12 mm high.
+    let mut simulation = Simulation::<R>::new(&field(&[numerics]));
+    furrows_are_sensed(&simulation, 0.002);
+    let ahead = simulation.case.domain.high.x + 0.05;
+    assert_eq!(simulation.ground(&[[ahead, 0.0]]), [None]);
+    while simulation.state.grid_position.x < 0.1 {
+        let next = simulation.state.time + 0.02;
+        let forward = Command::Twist(Twist { linear: along(0.5, 0.0), angular: DVec3::ZERO });
+        simulation.step_until(next, &[(0, forward)]).unwrap();
+    }
+    furrows_are_sensed(&simulation, 0.003);
+    assert!(simulation.ground(&[[ahead, 0.0]])[0].is_some());
+}
+
+#[test]
+fn ground_is_sensed_in_double_precision() {
+    ground_is_sensed::<f64>("numerics.precision=double");
+}
+
+#[test]
+fn ground_is_sensed_in_single_precision() {
+    ground_is_sensed::<f32>("numerics.precision=single");
+}
+
+/// A disc that is led through the soil leaves a groove behind, and none in front; to look at it changes no
+/// bit.
+#[test]
+fn a_groove_is_sensed_and_the_run_goes_on_as_without() {
+    let case = disc(&[FINE, "run.tow_distance=0.25 m"]);
+    let [mut watched, mut alone] = [(); 2].map(|()| Simulation::<f64>::new(&case));
+    let along_x = |simulation: &Simulation<f64>, x: f64| {
+        let x = simulation.state.pose(0).position.x + x;
+        simulation.ground(&[[x, 0.0], [x, 0.28]])
+    };
+    for n in 1..=40 {
+        let forward = [(0, Command::Twist(twist(0.5, 0.0, 2.5)))];
+        watched.step_until(0.01 * f64::from(n), &forward).unwrap();
+        assert!(along_x(&watched, 0.2).iter().all(Option::is_some));
+        alone.step_until(0.01 * f64::from(n), &forward).unwrap();
+    }
+    assert!(bits(&watched) == bits(&alone));
+    let [behind, ahead] = [-0.1, 0.22].map(|x| along_x(&watched, x)[0].unwrap());
+    println!("behind {behind} m, in front {ahead} m");
+    assert!(behind < -0.01 && behind > -0.035 && ahead.abs() < 0.002, "{behind} {ahead}");
 }

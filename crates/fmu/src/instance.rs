@@ -329,7 +329,7 @@ impl Instance {
                     return Ok(());
                 }
                 Some(Ok(Said::Refused(why))) => refused = Some(why),
-                Some(Ok(Said::Saved(_))) => {}
+                Some(Ok(Said::Saved(_) | Said::Ground(_))) => {}
                 Some(Ok(Said::Ended(Ok(verdict)))) if self.phase == Phase::Terminated => {
                     self.session = None;
                     self.notes.extend(Some(verdict).filter(|verdict| !verdict.is_empty()));

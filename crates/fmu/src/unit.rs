@@ -164,6 +164,8 @@ impl Steerer for First {
 
     fn refused(&mut self, _: String) {}
 
+    fn ground(&mut self, _: Vec<Option<f64>>) {}
+
     fn saved(&mut self, _: Vec<u8>) {}
 }
 

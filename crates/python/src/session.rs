@@ -153,6 +153,14 @@ impl Session {
         self.next_exchange(py)
     }
 
+    /// Heights of the ground [m] at places (x, y) [m]; not a number outside the grid.
+    fn ground(&self, py: Python<'_>, places: Vec<[f64; 2]>) -> PyResult<Vec<f64>> {
+        self.wish(Wish::Ground(places))?;
+        let Said::Ground(heights) = self.hear(py)? else { return Err(internal()) };
+        self.next_exchange(py)?;
+        Ok(heights.into_iter().map(|height| height.unwrap_or(f64::NAN)).collect())
+    }
+
     /// The state, from which `restore` goes on.
     fn save<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         self.wish(Wish::Save)?;
@@ -228,7 +236,7 @@ impl Session {
                 self.hear(py)?;
                 Err(refused(why))
             }
-            Said::Saved(_) => Err(internal()),
+            Said::Saved(_) | Said::Ground(_) => Err(internal()),
             Said::Ended(end) => {
                 self.hang_up(py);
                 Err(end.err().map_or_else(|| refused("the simulation has ended"), |failure| raised(&failure)))

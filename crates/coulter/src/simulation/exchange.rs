@@ -5,6 +5,7 @@ use super::{Observer, ObserverError, Simulation, Stop, asked};
 use case::resolved::Joint;
 use glam::{DQuat, DVec3};
 use mechanics::{Mobility, Pose, Steering, Twist, Wrench};
+use results::fields::surface_heights;
 use solver::error::Breakdown;
 use solver::precision::Precision;
 use solver::state::ContactImpulse;
@@ -82,6 +83,8 @@ pub struct Exchange {
 pub enum Wish {
     /// To go on to a time [s] with these commands, by the number of the body.
     Until(f64, Vec<(usize, Command)>),
+    /// To know the height of the ground at places (x, y) [m].
+    Ground(Vec<[f64; 2]>),
     /// To get the state, to which it can be restored.
     Save,
     /// To go back to a state that was saved.
@@ -98,6 +101,8 @@ pub trait Steerer {
     fn next(&mut self, exchange: Exchange) -> Wish;
     /// The last wish cannot be fulfilled; the next is asked for.
     fn refused(&mut self, why: String);
+    /// The heights [m] that were wished for, as of [`Simulation::ground`].
+    fn ground(&mut self, heights: Vec<Option<f64>>);
     /// The state that was wished for.
     fn saved(&mut self, state: Vec<u8>);
 }
@@ -190,6 +195,31 @@ impl<R: Precision> Simulation<R> {
             self.step_in(&mut interval)?;
         }
         Ok(self.end_interval(&interval))
+    }
+
+    /// Heights z [m] of the free surface at places (x, y) [m] as it is now: linear between the columns of
+    /// cells. `None` outside the grid. Where a body is in the soil, the height is that of the soil under or
+    /// over it: a sensor looks at the ground in front of a body or beside it. Soil moves up to a tenth of a
+    /// cell before the grid knows of it.
+    ///
+    /// # Examples
+    /// The furrows of a field, from crest to trough:
+    ///
+    /// ```
+    /// # use coulter::simulation::Simulation;
+    /// # let text = include_str!("../../../../cases/furrowed_field.toml");
+    /// # let coarse = ["grid.cell=12 mm".to_owned()];
+    /// let case = coulter::case::parse(text, "case.toml", &coarse)?;
+    /// let simulation = Simulation::<f64>::new(&case);
+    /// let heights = simulation.ground(&[[0.2, 0.2], [0.3, 0.2], [9.0, 0.2]]);
+    /// assert!((heights[0].ok_or("outside")? - 0.01).abs() < 0.002);
+    /// assert!((heights[1].ok_or("outside")? + 0.01).abs() < 0.002);
+    /// assert_eq!(heights[2], None);
+    /// # Ok::<(), Box<dyn std::error::Error + Send + Sync>>(())
+    /// ```
+    #[must_use]
+    pub fn ground(&self, places: &[[f64; 2]]) -> Vec<Option<f64>> {
+        surface_heights(&self.case, &self.model, self.halo(), &self.state, places)
     }
 
     /// Begins an interval; changes nothing where it is refused.
@@ -293,6 +323,7 @@ impl<R: Precision> Simulation<R> {
             match steerer.next(Exchange { time, time_step, reactions: reactions.clone() }) {
                 Wish::Finish => break Stop::Finished,
                 Wish::Stop => break Stop::Asked("the program that steers it".to_owned()),
+                Wish::Ground(places) => steerer.ground(self.ground(&places)),
                 Wish::Save => steerer.saved(self.checkpoint().to_bytes()?),
                 Wish::Restore(state) => match self.restore(&state) {
                     Ok(()) => {

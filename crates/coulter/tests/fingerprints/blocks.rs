@@ -11,8 +11,15 @@ use solver::halo::in_process::communicators;
 use solver::precision::Precision;
 use solver::state::State;
 
-/// What is left of a block: its grid, its state, and the history.
-type Block<R> = (Grid, State<R>, History);
+/// What is left of a block: its grid, its state, the history, and heights of the ground.
+type Block<R> = (Grid, State<R>, History, Vec<Option<f64>>);
+
+/// Heights of the ground at places in the grid and beyond it.
+fn ground<R: Precision>(simulation: &Simulation<R>) -> Vec<Option<f64>> {
+    let steps = || (-8..=8).map(|n| 0.03 * f64::from(n));
+    let places: Vec<[f64; 2]> = steps().flat_map(|x| steps().map(move |y| [x, y])).collect();
+    simulation.ground(&places)
+}
 
 /// Runs a set-up to so many steps, with a sample of the history before the last.
 fn run<R: Precision>(simulation: &mut Simulation<R>, steps: u32) {
@@ -30,7 +37,8 @@ fn in_blocks<R: Precision>(set_up: &SetUp, count: usize) -> Result<Vec<Block<R>>
                 scope.spawn(move || {
                     let mut own = Simulation::<R>::of_block(&set_up.read(), Box::new(communicator))?;
                     run(&mut own, set_up.steps);
-                    Ok((own.model.grid, own.state, own.history))
+                    let ground = ground(&own);
+                    Ok((own.model.grid, own.state, own.history, ground))
                 })
             })
             .collect();
@@ -47,9 +55,10 @@ fn is_same<R: Precision>(set_up: &SetUp, counts: &[usize]) -> Vec<bool> {
     let compare = |count: &usize| {
         let Ok(blocks) = in_blocks::<R>(set_up, *count) else { return false };
         let mut joined = blocks[0].1.without_soil(grid);
-        for (own, state, history) in &blocks {
+        for (own, state, history, heights) in &blocks {
             joined.take_over(grid, state, own);
             assert_eq!(history, &whole.history, "{}: {count} blocks", set_up.name);
+            assert_eq!(heights, &ground(&whole), "{}: {count} blocks", set_up.name);
         }
         let found = quantities(&whole.model, grid, &joined);
         let differ: Vec<_> = found.iter().zip(&expected).filter(|(a, b)| a != b).map(|(a, _)| &a.0).collect();

@@ -186,6 +186,28 @@ class Simulation:
             self._stand(self._session.step(float(time), json.dumps(numbered)))
         return self.bodies
 
+    def ground(self, points: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """The height of the ground as it is now: a sensor.
+
+        Where a body is in the soil, the height is that of the soil under or over it. So look at the ground in front of a body, or beside
+        it, as a gauge wheel does.
+
+        Args:
+            points: places (x, y) [m], in an array whose last axis has these two.
+
+        Returns:
+            Height z of the free surface at each place [m], linear between the columns of cells; nan outside the grid.
+
+        Raises:
+            RequestError: points of another shape, or that are not finite.
+        """
+        places = np.asarray(points, dtype=float)
+        if places.ndim == 0 or places.shape[-1] != 2 or not np.isfinite(places).all():
+            raise RequestError(f"points: they must be pairs (x, y) of finite numbers, not of the shape {places.shape}")
+        with self._followed():
+            heights = self._session.ground([(float(x), float(y)) for x, y in places.reshape(-1, 2)])
+        return np.array(heights).reshape(places.shape[:-1])
+
     def save(self) -> bytes:
         """The state, from which :meth:`restore` goes on: of this simulation, or of another one of the same case."""
         with self._followed():
