@@ -162,4 +162,25 @@ mod tests {
         assert!(ends.iter().any(|y| *y > 0.049) && ends.iter().any(|y| *y < -0.049), "{found:?}");
         assert!(found.iter().all(|near| near.gap.abs() < 1e-7 && near.arms[1].x.abs() < 0.02), "{found:?}");
     }
+
+    #[test]
+    fn a_ball_lies_in_the_corner_of_a_scoop() {
+        let part = |size: DVec3, position: DVec3| {
+            let shape: std::sync::Arc<dyn Shape> = std::sync::Arc::new(Block { size });
+            crate::Placed { shape, position, rotation: glam::DMat3::IDENTITY }
+        };
+        let floor = part(DVec3::new(0.4, 0.2, 0.04), DVec3::new(0.0, 0.0, -0.02));
+        let back = part(DVec3::new(0.04, 0.2, 0.4), DVec3::new(-0.18, 0.0, 0.2));
+        let scoop = crate::Compound::new(vec![floor, back]);
+        // 1 mm from both.
+        let at = DVec3::new(-0.109, 0.01, 0.051);
+        let found = near(&scoop, &Sphere { diameter: 0.1 }, at, DQuat::IDENTITY);
+        for normal in [DVec3::X, DVec3::Z] {
+            let own: Vec<&Near> = found.iter().filter(|n| (n.normal - normal).length() < 1e-9).collect();
+            assert!(!own.is_empty(), "{normal}: {found:?}");
+            assert!(own.iter().all(|n| (n.gap - 1e-3).abs() < 1e-9), "{own:?}");
+            assert!(own.iter().all(|n| (n.arms[1] + 0.05 * normal).length() < 1e-9), "{own:?}");
+        }
+        assert!(found.iter().all(|n| n.gap > 0.9e-3), "{found:?}");
+    }
 }
