@@ -49,7 +49,7 @@ pub use rim::{Rim, RimPoint};
 pub use rotated::Rotated;
 pub use sphere::Sphere;
 pub use thickness::{Thin, ThinSearch};
-pub use touch::{Near, Place, Solid};
+pub use touch::{Near, Place, Solids};
 
 use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;

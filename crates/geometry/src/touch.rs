@@ -5,22 +5,25 @@ use glam::{DQuat, DVec3};
 use parry3d_f64::math::{Pose3, Rot3, Vec3};
 use parry3d_f64::query::{ContactManifold, DefaultQueryDispatcher, PersistentQueryDispatcher};
 use parry3d_f64::shape::{SharedShape, TriMeshFlags};
+use std::panic::catch_unwind;
 
 /// Difference of its volume from that of its convex hull, relative to it, below which a solid is convex.
 const CONVEX: f64 = 1e-6;
 
-/// A solid as the collision library knows it: a ball or a disc with sharp rims as it is, any other by its
-/// mesh.
+/// Two solids as the collision library knows them: a ball or a disc with sharp rims as it is, any other by
+/// its mesh. The library has tolerances in absolute numbers: lengths are in units of the smaller solid.
 #[derive(Clone)]
-pub struct Solid {
-    shape: SharedShape,
-    /// Radius of the ball about the reference point that encloses it [m].
-    pub radius: f64,
+pub struct Solids {
+    shapes: [SharedShape; 2],
+    /// Radii of the balls about the reference points that enclose the solids [m].
+    pub radii: [f64; 2],
+    /// Unit of length of the shapes [m].
+    unit: f64,
 }
 
-impl std::fmt::Debug for Solid {
+impl std::fmt::Debug for Solids {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Solid {{ radius: {} }}", self.radius)
+        write!(f, "Solids {{ radii: {:?} }}", self.radii)
     }
 }
 
@@ -44,36 +47,34 @@ pub struct Near {
     pub gap: f64,
 }
 
-impl Solid {
-    /// The solid of a shape; `None` for one without a surface, or whose mesh is none.
+impl Solids {
+    /// The solids of two shapes; `None` where one has no surface, or its mesh is none.
     #[must_use]
-    pub fn of(shape: &dyn Shape) -> Option<Self> {
-        if !shape.has_surface() {
+    pub fn of(shapes: [&dyn Shape; 2]) -> Option<Self> {
+        if !shapes.iter().all(|shape| shape.has_surface()) {
             return None;
         }
-        let (low, high) = shape.bounds();
-        let radius = low.abs().max(high.abs()).length();
-        let own = if let Some(radius) = shape.as_ball() {
-            SharedShape::ball(radius)
-        } else if let Some([diameter, thickness]) = shape.as_disc() {
-            SharedShape::cylinder(0.5 * thickness, 0.5 * diameter)
-        } else {
-            of_mesh(shape)?
-        };
-        Some(Self { shape: own, radius })
+        let radii = shapes.map(|shape| {
+            let (low, high) = shape.bounds();
+            low.abs().max(high.abs()).length()
+        });
+        let unit = radii[0].min(radii[1]);
+        let [first, second] = shapes.map(|shape| known(shape, unit));
+        Some(Self { shapes: [first?, second?], radii, unit })
     }
 
-    /// Adds where two solids are nearer than `reach` [m].
-    pub fn near(solids: [&Self; 2], places: [&Place; 2], reach: f64, found: &mut Vec<Near>) {
+    /// Adds where the solids are nearer than `reach` [m].
+    pub fn near(&self, places: [&Place; 2], reach: f64, found: &mut Vec<Near>) {
         let [first, second] = places;
         let apart = first.position.distance(second.position);
-        if apart > solids[0].radius + solids[1].radius + reach {
+        if apart > self.radii[0] + self.radii[1] + reach {
             return;
         }
-        let to_first = first.attitude.inverse();
-        let from_first = pose(to_first * (second.position - first.position), to_first * second.attitude);
+        let (to_first, reach) = (first.attitude.inverse(), reach / self.unit);
+        let from_first =
+            pose(to_first * (second.position - first.position) / self.unit, to_first * second.attitude);
         let mut manifolds: Vec<ContactManifold<(), ()>> = Vec::new();
-        let [a, b] = solids.map(|solid| &*solid.shape);
+        let [a, b] = self.shapes.each_ref().map(|shape| &**shape);
         // Every pair of the shapes that are made here is known to the library.
         let _ = DefaultQueryDispatcher.contact_manifolds(&from_first, a, b, reach, &mut manifolds, &mut None);
         for manifold in &manifolds {
@@ -84,18 +85,33 @@ impl Solid {
                     manifold.subshape_pos2().map_or(point.local_p2, |pose| pose * point.local_p2),
                 ];
                 let arms = [first.attitude * of(on_first), second.attitude * of(on_second)];
-                found.push(Near { arms, normal, gap: point.dist });
+                let arms = arms.map(|arm| self.unit * arm);
+                found.push(Near { arms, normal, gap: self.unit * point.dist });
             }
         }
     }
 }
 
+/// A shape in a unit of length [m] as the library knows it.
+fn known(shape: &dyn Shape, unit: f64) -> Option<SharedShape> {
+    if let Some(radius) = shape.as_ball() {
+        return Some(SharedShape::ball(radius / unit));
+    }
+    match shape.as_disc() {
+        Some([diameter, thickness]) => {
+            Some(SharedShape::cylinder(0.5 * thickness / unit, 0.5 * diameter / unit))
+        }
+        None => of_mesh(shape, unit),
+    }
+}
+
 /// A convex solid by its hull, any other by its triangles.
-fn of_mesh(shape: &dyn Shape) -> Option<SharedShape> {
+fn of_mesh(shape: &dyn Shape, unit: f64) -> Option<SharedShape> {
     let mesh = shape.mesh();
-    let points: Vec<Vec3> = mesh.points.iter().map(|point| vector(*point)).collect();
-    let volume = MassProperties::of_mesh(&mesh).volume;
-    let hull = SharedShape::convex_hull(&points);
+    let points: Vec<Vec3> = mesh.points.iter().map(|point| vector(*point / unit)).collect();
+    let volume = MassProperties::of_mesh(&mesh).volume / (unit * unit * unit);
+    // Of degenerate faces the library panics: then by its triangles.
+    let hull = catch_unwind(|| SharedShape::convex_hull(&points)).ok().flatten();
     let is_convex = |hull: &SharedShape| (hull.mass_properties(1.0).mass() / volume - 1.0).abs() < CONVEX;
     hull.filter(is_convex).or_else(|| {
         let flags = TriMeshFlags::FIX_INTERNAL_EDGES;
@@ -121,10 +137,10 @@ mod tests {
     use crate::{Block, Disc, Sphere};
 
     fn near(a: &dyn Shape, b: &dyn Shape, at: DVec3, attitude: DQuat) -> Vec<Near> {
-        let solids = [a, b].map(|shape| Solid::of(shape).expect("a solid"));
+        let solids = Solids::of([a, b]).expect("two solids");
         let places = [Place::default(), Place { position: at, attitude }];
         let mut found = Vec::new();
-        Solid::near([&solids[0], &solids[1]], [&places[0], &places[1]], 0.01, &mut found);
+        solids.near([&places[0], &places[1]], 0.01, &mut found);
         found
     }
 
@@ -182,5 +198,34 @@ mod tests {
             assert!(own.iter().all(|n| (n.arms[1] + 0.05 * normal).length() < 1e-9), "{own:?}");
         }
         assert!(found.iter().all(|n| n.gap > 0.9e-3), "{found:?}");
+    }
+
+    /// The gap of a ball is known exactly, by its middle.
+    #[test]
+    fn solids_of_any_size_touch_balls_where_they_are() {
+        for size in [1e-4, 0.1, 1.0, 1e3] {
+            let block = Block { size: size * DVec3::new(0.4, 0.2, 0.1) };
+            let disc = Disc { diameter: 0.4 * size, thickness: 0.05 * size };
+            let shapes: [&dyn Shape; 2] = [&block, &disc];
+            let ball = Sphere { diameter: 0.2 * size };
+            for (shape, k) in shapes.into_iter().flat_map(|shape| (0..50).map(move |k| (shape, f64::from(k))))
+            {
+                let towards = DVec3::new(k.sin(), (2.0 * k).cos(), (0.7 * k).sin() + 0.3).normalize();
+                let (mut low, mut high) = (0.0, size);
+                for _ in 0..100 {
+                    let middle = 0.5 * (low + high);
+                    let is_far = shape.signed_distance(middle * towards) > 0.1005 * size;
+                    if is_far { high = middle } else { low = middle }
+                }
+                let solids = Solids::of([shape, &ball]).expect("two solids");
+                let attitude = DQuat::from_euler(glam::EulerRot::XYZ, k, 0.3 * k, 1.7 * k);
+                let first = Place { position: DVec3::ZERO, attitude };
+                let second = Place { position: attitude * (high * towards), attitude };
+                let mut found = Vec::new();
+                solids.near([&first, &second], 2e-3 * size, &mut found);
+                assert_eq!(found.len(), 1, "{size} {shape:?}");
+                assert!((found[0].gap / size - 5e-4).abs() < 1e-12, "{size} {shape:?}: {found:?}");
+            }
+        }
     }
 }

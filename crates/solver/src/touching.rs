@@ -1,7 +1,7 @@
 //! Bodies that may touch each other.
 
 use crate::model::{BodyModel, attitude};
-use geometry::{Near, Place, Solid};
+use geometry::{Near, Place, Solids};
 use mechanics::{Pair, Pose, Surfaces, Touch, Twist};
 
 /// Gap, over the radius of the smaller body, up to which surfaces are watched beyond what they may close in a
@@ -12,7 +12,7 @@ const WATCHED: f64 = 1e-3;
 #[derive(Debug)]
 pub struct TouchingBodies {
     bodies: [usize; 2],
-    solids: [Solid; 2],
+    solids: Solids,
     are_revolved: [bool; 2],
     surfaces: Surfaces,
 }
@@ -25,7 +25,7 @@ impl TouchingBodies {
         let (first, second) = (first?, second?);
         Some(Self {
             bodies: numbers,
-            solids: [Solid::of(first)?, Solid::of(second)?],
+            solids: Solids::of([first, second])?,
             are_revolved: [first.is_revolved(), second.is_revolved()],
             surfaces,
         })
@@ -46,11 +46,12 @@ impl Pair for TouchingBodies {
             position: poses[n].position,
             attitude: attitude(self.are_revolved[n], poses[n]),
         });
-        let turning = |n: usize| self.solids[n].radius * twists[n].angular.length();
+        let turning = |n: usize| self.solids.radii[n] * twists[n].angular.length();
         let speed = (twists[1].linear - twists[0].linear).length() + turning(0) + turning(1);
-        let reach = WATCHED * self.solids[0].radius.min(self.solids[1].radius) + 2.0 * dt * speed;
+        let [first, second] = self.solids.radii;
+        let reach = WATCHED * first.min(second) + 2.0 * dt * speed;
         let mut near = Vec::new();
-        Solid::near([&self.solids[0], &self.solids[1]], [&a, &b], reach, &mut near);
+        self.solids.near([&a, &b], reach, &mut near);
         found.extend(near.into_iter().map(|Near { arms, normal, gap }| Touch { arms, normal, gap }));
     }
 }
