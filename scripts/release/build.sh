@@ -4,7 +4,7 @@
 #   coulter-VERSION-x86_64-unknown-linux-musl     the command as one static program, stripped
 #   coulter_VERSION_amd64.deb                     the same as a Debian package, with manual pages, completions and example cases
 #   coulter-VERSION-*.whl                         the Python package
-#   libcoulter_fmu.so                             what `coulter export-fmu` puts into units; the Debian package has it, too
+#   libcoulter_fmu.so                             what `coulter export-fmu` puts into FMUs; the Debian package has it, too
 #   Containerfile                                 podman build -t coulter dist
 #   licences/                                     licences of everything that is linked into them
 #   man/, completions/                            manual pages; completions for five shells
@@ -66,12 +66,12 @@ static_program() {
     cp "$built/$target/release/coulter" "$program"
 }
 
-# Units are loaded by programs with the usual C library.
-unit_library() {
+# FMUs are loaded by programs with the usual C library.
+fmu_library() {
     cargo build --release --locked -p coulter-fmu
     cp "$built/release/libcoulter_fmu.so" "$dist/"
     "$program" export-fmu cases/light_disc.toml --library "$dist/libcoulter_fmu.so" -o "$scratch/light_disc.fmu" >/dev/null ||
-        fail "$program cannot export a unit"
+        fail "$program cannot export an FMU"
 }
 
 # Licences of all crates in program and wheel, of what these bring along in C, of Rust's library and of the font in the pictures.
@@ -205,8 +205,8 @@ mkdir -p "$dist"
 part "static program, version $version"
 static_target
 static_program
-part "library of units"
-unit_library
+part "library of FMUs"
+fmu_library
 if [ -z "$check" ]; then
     part "licences"
     licences

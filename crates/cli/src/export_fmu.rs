@@ -2,7 +2,7 @@
 
 use crate::common::say;
 use crate::failure::Failure;
-use coulter_fmu::{Steered, Unit, UnitError, export, library_name};
+use coulter_fmu::{Fmu, FmuError, Steered, export, library_name};
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
@@ -29,18 +29,17 @@ pub(super) struct Arguments {
 
 pub(super) fn run(program: &Path, arguments: &Arguments) -> Result<(), Failure> {
     let steered = arguments.steered.iter().map(|text| steered(text)).collect::<Result<_, _>>()?;
-    let unit =
-        Unit::of_file(&arguments.case, &arguments.overrides, &steered).map_err(|error| match error {
-            UnitError::Case(error) => error.into(),
-            other => Failure::Request(other.to_string()),
-        })?;
-    let to = arguments.output.clone().unwrap_or_else(|| format!("{}.fmu", unit.case.name).into());
+    let fmu = Fmu::of_file(&arguments.case, &arguments.overrides, &steered).map_err(|error| match error {
+        FmuError::Case(error) => error.into(),
+        other => Failure::Request(other.to_string()),
+    })?;
+    let to = arguments.output.clone().unwrap_or_else(|| format!("{}.fmu", fmu.case.name).into());
     if to.exists() && !arguments.force {
         let message = format!("{} exists; use --force to replace it", to.display());
         return Err(Failure::Request(message));
     }
     let library = arguments.library.clone().map_or_else(|| library(program), Ok)?;
-    export(&unit, &library, &to).map_err(|error| Failure::Request(error.to_string()))?;
+    export(&fmu, &library, &to).map_err(|error| Failure::Request(error.to_string()))?;
     say(&format!("{}\n", to.display()))
 }
 

@@ -4,11 +4,12 @@
 //! # Safety
 //! Of all of them: pointers are those that the standard asks for, and an instance is used by one thread at a
 //! time.
-#![allow(unsafe_code, non_snake_case, clippy::missing_safety_doc)]
+// Names and arguments are those of the standard.
+#![allow(unsafe_code, non_snake_case, clippy::missing_safety_doc, clippy::too_many_arguments)]
 
 use crate::description::CATEGORIES;
+use crate::fmu::Fmu;
 use crate::instance::{Instance, Refusal, Saved, Severity};
-use crate::unit::Unit;
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -114,7 +115,7 @@ unsafe fn with(instance: *mut c_void, act: impl FnOnce(&mut Handle) -> Result<()
 }
 
 fn has_no(what: &str) -> Refusal {
-    Refusal::error(format!("the unit has no {what}"))
+    Refusal::error(format!("the FMU has no {what}"))
 }
 
 /// Version of the standard.
@@ -147,7 +148,6 @@ pub unsafe extern "C" fn fmi3SetDebugLogging(
 
 /// An instance for co-simulation; null where there can be none.
 #[unsafe(no_mangle)]
-#[allow(clippy::too_many_arguments)] // those of the standard
 pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     _name: *const c_char,
     token: *const c_char,
@@ -166,8 +166,8 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     let made = catch_unwind(AssertUnwindSafe(|| {
         // SAFETY: as that of this function.
         let (token, resources) = unsafe { (given(token)?, given(resources)?) };
-        let unit = Unit::in_resources(Path::new(&resources));
-        Instance::new(unit.map_err(|error| Refusal::error(error.to_string()))?, &token)
+        let fmu = Fmu::in_resources(Path::new(&resources));
+        Instance::new(fmu.map_err(|error| Refusal::error(error.to_string()))?, &token)
     }));
     match made {
         Ok(Ok(instance)) => Box::into_raw(Box::new(Handle { instance, log, texts: Vec::new() })).cast(),
@@ -182,7 +182,7 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     }
 }
 
-/// The unit is for co-simulation.
+/// The FMU is for co-simulation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3InstantiateModelExchange(
     _name: *const c_char,
@@ -193,13 +193,12 @@ pub unsafe extern "C" fn fmi3InstantiateModelExchange(
     environment: *mut c_void,
     log: LogMessage,
 ) -> *mut c_void {
-    Log { log, environment }.line(Status::Error, 0, "the unit is for co-simulation, not for model exchange");
+    Log { log, environment }.line(Status::Error, 0, "the FMU is for co-simulation, not for model exchange");
     null_mut()
 }
 
-/// The unit is for co-simulation.
+/// The FMU is for co-simulation.
 #[unsafe(no_mangle)]
-#[allow(clippy::too_many_arguments)] // those of the standard
 pub unsafe extern "C" fn fmi3InstantiateScheduledExecution(
     _name: *const c_char,
     _token: *const c_char,
@@ -212,7 +211,7 @@ pub unsafe extern "C" fn fmi3InstantiateScheduledExecution(
     _lock: *const c_void,
     _unlock: *const c_void,
 ) -> *mut c_void {
-    let why = "the unit is for co-simulation, not for scheduled execution";
+    let why = "the FMU is for co-simulation, not for scheduled execution";
     Log { log, environment }.line(Status::Error, 0, why);
     null_mut()
 }
@@ -270,7 +269,6 @@ pub unsafe extern "C" fn fmi3Reset(instance: *mut c_void) -> Status {
 
 /// A step of the importer.
 #[unsafe(no_mangle)]
-#[allow(clippy::too_many_arguments)] // those of the standard
 pub unsafe extern "C" fn fmi3DoStep(
     instance: *mut c_void,
     from: f64,
@@ -485,7 +483,7 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     unsafe {
         with(instance, |_| {
             let saved = postcard::from_bytes::<Saved>(list(serialized, size)?);
-            let saved = saved.map_err(|_| Refusal::error("these bytes are no state of a unit of Coulter"))?;
+            let saved = saved.map_err(|_| Refusal::error("these bytes are no state of an FMU of Coulter"))?;
             let place = state.as_mut().ok_or_else(|| has_no("place for the state"))?;
             *place = Box::into_raw(Box::new(saved)).cast();
             Ok(())
@@ -493,12 +491,11 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     }
 }
 
-/// Functions for what the unit does not have.
+/// Functions for what the FMU does not have.
 macro_rules! absent {
     ($what:literal: $($name:ident($($argument:ident: $kind:ty),*)),* $(,)?) => {$(
-        #[doc = concat!("The unit has no ", $what, ".")]
+        #[doc = concat!("The FMU has no ", $what, ".")]
         #[unsafe(no_mangle)]
-        #[allow(clippy::too_many_arguments)] // those of the standard
         pub unsafe extern "C" fn $name(instance: *mut c_void, $($argument: $kind),*) -> Status {
             $(let _ = $argument;)*
             // SAFETY: as that of this function.
@@ -507,10 +504,10 @@ macro_rules! absent {
     )*};
 }
 
-/// Functions for variables of a type that the unit does not have: no list of them is not empty.
+/// Functions for variables of a type that the FMU does not have: no list of them is not empty.
 macro_rules! no_variables {
     ($($name:ident: $kind:ty),* $(,)?) => {$(
-        #[doc = "The unit has no variables of this type."]
+        #[doc = "The FMU has no variables of this type."]
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(
             instance: *mut c_void,

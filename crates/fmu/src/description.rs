@@ -1,10 +1,10 @@
-//! The description of a unit, `modelDescription.xml`.
+//! The description of an FMU, `modelDescription.xml`.
 
-use crate::unit::{Unit, UnitError};
+use crate::fmu::{Fmu, FmuError};
 use crate::variables::{Causality, FIRST_NUMBER, FIRST_TEXT, TEXTS, TIME, Variable};
 use std::fmt::Write;
 
-/// What a unit calls its library.
+/// What an FMU calls its library.
 pub(crate) const IDENTIFIER: &str = "coulter";
 
 /// Units by their base units.
@@ -24,14 +24,14 @@ const UNITS: [(&str, &str); 9] = [
 pub(crate) const CATEGORIES: [(&str, &str); 2] =
     [("logErrors", "What has gone wrong"), ("logVerdict", "What the result is worth")];
 
-/// The description of a unit.
+/// The description of an FMU.
 ///
 /// # Errors
 /// A case that cannot be simulated.
-pub(crate) fn description(unit: &Unit) -> Result<String, UnitError> {
-    let start = unit.at_start()?;
-    let (case, dt) = (&unit.case, start.time_step);
-    let variables = unit.variables(&start);
+pub(crate) fn description(fmu: &Fmu) -> Result<String, FmuError> {
+    let start = fmu.at_start()?;
+    let (case, dt) = (&fmu.case, start.time_step);
+    let variables = fmu.variables(&start);
     // Steps of the importer that are whole steps of the solver, about as long as a sample.
     let step = dt * (case.output.history_interval / dt).round().max(1.0);
     let units = UNITS.map(|(name, base)| format!("    <Unit name=\"{name}\"><BaseUnit {base}/></Unit>\n"));
@@ -50,7 +50,7 @@ pub(crate) fn description(unit: &Unit) -> Result<String, UnitError> {
          <ModelStructure>\n{structure}  </ModelStructure>\n\
          </fmiModelDescription>\n",
         name = escaped(&case.name),
-        token = unit.token(),
+        token = fmu.token(),
         title = escaped(&case.title),
         version = env!("CARGO_PKG_VERSION"),
         units = units.concat(),

@@ -1,6 +1,6 @@
-//! An instance of a unit as an importer drives it, without the pointers of the interface.
+//! An instance of an FMU as an importer drives it, without the pointers of the interface.
 
-use crate::unit::{Ended, Unit};
+use crate::fmu::{Ended, Fmu};
 use crate::variables::{Causality, FIRST_NUMBER, FIRST_TEXT, OUTPUT, SET, TEXTS, TIME, Variable};
 use crate::variables::{command, numbers};
 use coulter::session::{Said, Session};
@@ -57,10 +57,10 @@ pub struct Saved {
     state: Option<Vec<u8>>,
 }
 
-/// An instance of a unit.
+/// An instance of an FMU.
 #[derive(Debug)]
 pub struct Instance {
-    unit: Unit,
+    fmu: Fmu,
     phase: Phase,
     texts: [String; TEXTS.len()],
     variables: Vec<Variable>,
@@ -75,18 +75,18 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// An instance of a unit whose description has this token.
+    /// An instance of an FMU whose description has this token.
     ///
     /// # Errors
-    /// A unit that is not that of the description, or that cannot be simulated.
-    pub fn new(unit: Unit, token: &str) -> Result<Self, Refusal> {
-        if token != unit.token() {
-            let own = unit.token();
-            let message = format!("the description is that of another unit: {token} is not {own}");
+    /// An FMU that is not that of the description, or that cannot be simulated.
+    pub fn new(fmu: Fmu, token: &str) -> Result<Self, Refusal> {
+        if token != fmu.token() {
+            let own = fmu.token();
+            let message = format!("the description is that of another FMU: {token} is not {own}");
             return Err(Refusal::error(message));
         }
-        let start = unit.at_start().map_err(|error| Refusal::error(error.to_string()))?;
-        let variables = unit.variables(&start);
+        let start = fmu.at_start().map_err(|error| Refusal::error(error.to_string()))?;
+        let variables = fmu.variables(&start);
         Ok(Self {
             phase: Phase::Instantiated,
             texts: Default::default(),
@@ -97,7 +97,7 @@ impl Instance {
             stop_time: None,
             session: None,
             notes: Vec::new(),
-            unit,
+            fmu,
         })
     }
 
@@ -241,7 +241,7 @@ impl Instance {
             }
         };
         Ok(Saved {
-            token: self.unit.token(),
+            token: self.fmu.token(),
             phase: self.phase,
             texts: self.texts.clone(),
             numbers: self.numbers.clone(),
@@ -254,11 +254,11 @@ impl Instance {
     /// Goes back, or on, to a state that was saved.
     ///
     /// # Errors
-    /// A state of another unit, or one that was damaged.
+    /// A state of another FMU, or one that was damaged.
     pub fn restore(&mut self, saved: &Saved) -> Result<(), Refusal> {
         let lacks_run = saved.phase == Phase::Stepping && saved.state.is_none();
-        if saved.token != self.unit.token() || saved.numbers.len() != self.numbers.len() || lacks_run {
-            return Err(Refusal::error("this is no state of this unit"));
+        if saved.token != self.fmu.token() || saved.numbers.len() != self.numbers.len() || lacks_run {
+            return Err(Refusal::error("this is no state of this FMU"));
         }
         if saved.state.is_none() || self.texts != saved.texts {
             self.session = None;
@@ -280,13 +280,13 @@ impl Instance {
         if self.session.is_some() {
             return Ok(());
         }
-        let mut unit = self.unit.with(&self.texts[SET]).map_err(Refusal::error)?;
+        let mut fmu = self.fmu.with(&self.texts[SET]).map_err(Refusal::error)?;
         if let Some(stop_time) = self.stop_time {
             // The importer says how long it goes on.
-            unit.case.duration = unit.case.duration.max(stop_time);
+            fmu.case.duration = fmu.case.duration.max(stop_time);
         }
         let output = Some(&self.texts[OUTPUT]).filter(|folder| !folder.is_empty()).map(PathBuf::from);
-        self.session = Some(unit.begin(output));
+        self.session = Some(fmu.begin(output));
         self.hear()
     }
 
@@ -294,18 +294,18 @@ impl Instance {
     fn commands(&self) -> Result<Vec<(usize, Command)>, String> {
         let mut first = 0;
         let mut commands = Vec::new();
-        for (n, steered) in self.unit.steered.iter().enumerate() {
+        for (n, steered) in self.fmu.steered.iter().enumerate() {
             let inputs = first..first + steered.number();
             first = inputs.end + self.outputs_of_each();
             let own = command(*steered, &self.numbers[inputs]);
-            commands.push((n, own.map_err(|why| format!("body {}: {why}", self.unit.case.bodies[n].name))?));
+            commands.push((n, own.map_err(|why| format!("body {}: {why}", self.fmu.case.bodies[n].name))?));
         }
         Ok(commands)
     }
 
     fn outputs_of_each(&self) -> usize {
         let outputs = self.variables.iter().filter(|variable| variable.causality == Causality::Output);
-        outputs.count() / self.unit.steered.len()
+        outputs.count() / self.fmu.steered.len()
     }
 
     /// Says what is wished for, and hears what has become of it.

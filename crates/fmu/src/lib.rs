@@ -6,12 +6,12 @@
 
 pub mod c_api;
 mod description;
+mod fmu;
 mod instance;
 mod package;
-mod unit;
 mod variables;
 
+pub use fmu::{Fmu, FmuError};
 pub use instance::{Instance, Refusal, Saved, Severity};
 pub use package::{ExportError, MARK, export, library_name};
-pub use unit::{Unit, UnitError};
 pub use variables::{Steered, UnknownSteering};

@@ -1,7 +1,7 @@
-//! The file of a unit: description, library, and the case with the files that it names.
+//! The file of an FMU: description, library, and the case with the files that it names.
 
 use crate::description::{IDENTIFIER, description};
-use crate::unit::{Unit, UnitError};
+use crate::fmu::{Fmu, FmuError};
 use crate::variables::Steered;
 use coulter::output::{OutputError, write_case_file};
 use std::collections::BTreeMap;
@@ -16,21 +16,21 @@ const CASE: &str = "case.toml";
 /// Place in the resources of how bodies are steered.
 const STEERED: &str = "steered.json";
 
-/// What the library of a unit holds, as a program that writes units knows it.
+/// What the library of an FMU holds, as a program that writes FMUs knows it.
 #[used]
 pub static MARK: &str = concat!("library of functional mock-up units of Coulter ", env!("CARGO_PKG_VERSION"));
 
-/// Why a unit could not be written.
+/// Why an FMU could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
     /// The case.
     #[error(transparent)]
-    Unit(#[from] UnitError),
+    Fmu(#[from] FmuError),
     /// A file of the case.
     #[error(transparent)]
     Case(#[from] OutputError),
     /// The library is another.
-    #[error("{}: not the library of units of this program", .0.display())]
+    #[error("{}: not the library of FMUs of this program", .0.display())]
     Library(PathBuf),
     /// A file cannot be read or written.
     #[error("{}: {why}", .path.display())]
@@ -54,11 +54,11 @@ fn platform() -> String {
     format!("{}-{system}", std::env::consts::ARCH)
 }
 
-/// Writes a unit with this library to a file, which it replaces.
+/// Writes an FMU with this library to a file, which it replaces.
 ///
 /// # Errors
 /// [`ExportError`]; the file is as before then.
-pub fn export(unit: &Unit, library: &Path, to: &Path) -> Result<(), ExportError> {
+pub fn export(fmu: &Fmu, library: &Path, to: &Path) -> Result<(), ExportError> {
     let at = |path: &Path| {
         let path = path.to_path_buf();
         move |why: io::Error| ExportError::File { path, why }
@@ -68,12 +68,12 @@ pub fn export(unit: &Unit, library: &Path, to: &Path) -> Result<(), ExportError>
         return Err(ExportError::Library(library.to_path_buf()));
     }
     let resources = tempfile::tempdir().map_err(at(&std::env::temp_dir()))?;
-    write_case_file(resources.path(), &unit.case, &unit.typed)?;
-    let steered = serde_json::to_vec(&unit.steered_by_name()).unwrap_or_default();
+    write_case_file(resources.path(), &fmu.case, &fmu.typed)?;
+    let steered = serde_json::to_vec(&fmu.steered_by_name()).unwrap_or_default();
     let place = resources.path().join(STEERED);
     fs::write(&place, steered).map_err(at(&place))?;
-    // Of the unit as its library will read it.
-    let description = description(&Unit::in_resources(resources.path())?)?;
+    // Of the FMU as its library will read it.
+    let description = description(&Fmu::in_resources(resources.path())?)?;
     let beside = to.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut part = tempfile::NamedTempFile::new_in(beside).map_err(at(to))?;
     let written = (|| {
@@ -109,8 +109,8 @@ fn put_folder<W: Write + io::Seek>(archive: &mut ZipWriter<W>, name: &str, folde
     Ok(())
 }
 
-impl Unit {
-    /// The unit whose resources an importer has unpacked into a folder.
+impl Fmu {
+    /// The FMU whose resources an importer has unpacked into a folder.
     ///
     /// # Errors
     /// Resources that are missing or wrong.

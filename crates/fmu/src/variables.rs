@@ -1,4 +1,4 @@
-//! The variables of a unit: what an importer says of each body, and what it hears.
+//! The variables of an FMU: what an importer says of each body, and what it hears.
 
 use coulter::mechanics::{Mobility, Pose, Twist, Wrench};
 use coulter::simulation::{Command, Coupled, Reaction};
@@ -76,7 +76,7 @@ enum Parts {
     Mobility,
 }
 
-/// A quantity of a body: name, parts, unit, meaning.
+/// A quantity of a body: name, parts, FMU, meaning.
 type Quantity = (&'static str, Parts, &'static str, &'static str);
 
 const POSE: [Quantity; 2] = [
@@ -122,6 +122,11 @@ impl Steered {
             Self::Coupled => [&POSE[..], &TWIST, &MECHANISM].concat(),
         }
     }
+
+    /// Number of inputs of a body.
+    pub(crate) fn number(self) -> usize {
+        self.inputs().iter().map(|(_, parts, ..)| parts.names().len()).sum()
+    }
 }
 
 impl Parts {
@@ -139,7 +144,7 @@ impl Parts {
     }
 }
 
-/// A number of a unit. Its reference is [`FIRST_NUMBER`] and its place in the list.
+/// A number of an FMU. Its reference is [`FIRST_NUMBER`] and its place in the list.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Variable {
     pub(crate) name: String,
@@ -150,7 +155,7 @@ pub(crate) struct Variable {
     pub(crate) start: f64,
 }
 
-/// The numbers of a unit whose bodies, by their names, are steered in this way and stand like this.
+/// The numbers of an FMU whose bodies, by their names, are steered in this way and stand like this.
 pub(crate) fn variables<'a>(
     bodies: impl IntoIterator<Item = (&'a str, Steered, &'a Reaction)>,
 ) -> Vec<Variable> {
@@ -244,11 +249,4 @@ pub(crate) fn command(steered: Steered, inputs: &[f64]) -> Result<Command, Strin
             Command::Coupled(Coupled { pose, twist, mobility, acceleration: inputs.twist() })
         }
     })
-}
-
-impl Steered {
-    /// Number of inputs of a body.
-    pub(crate) fn number(self) -> usize {
-        self.inputs().iter().map(|(_, parts, ..)| parts.names().len()).sum()
-    }
 }

@@ -1,10 +1,10 @@
-//! An instance of a unit, driven as an importer does.
+//! An instance of an FMU, driven as an importer does.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::mechanics::Twist;
 use coulter::simulation::{Command, Simulation};
 use coulter_fmu::c_api::{Status, fmi3DoStep, fmi3GetFloat64, fmi3Reset};
-use coulter_fmu::{ExportError, Instance, Severity, Steered, Unit, export};
+use coulter_fmu::{ExportError, Fmu, Instance, Severity, Steered, export};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::ptr::{null, null_mut};
@@ -32,17 +32,17 @@ const FORCE: u32 = FIRST + 6;
 const SET: u32 = 1;
 const OUTPUT: u32 = 2;
 
-fn unit(how: Steered) -> Unit {
+fn fmu(how: Steered) -> Fmu {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("tow.toml");
     std::fs::write(&path, CASE).unwrap();
-    Unit::of_file(&path, &[], &BTreeMap::from([("disc".to_owned(), how)])).unwrap()
+    Fmu::of_file(&path, &[], &BTreeMap::from([("disc".to_owned(), how)])).unwrap()
 }
 
 fn instance(how: Steered) -> Instance {
-    let unit = unit(how);
-    let token = unit.token();
-    Instance::new(unit, &token).unwrap()
+    let fmu = fmu(how);
+    let token = fmu.token();
+    Instance::new(fmu, &token).unwrap()
 }
 
 fn begun(how: Steered) -> Instance {
@@ -66,7 +66,7 @@ fn push(instance: &mut Instance) {
 fn forces_are_those_of_a_simulation_to_the_bit() {
     let mut driven = begun(Steered::Velocity);
     push(&mut driven);
-    let mut own = Simulation::<f64>::new(&unit(Steered::Velocity).case);
+    let mut own = Simulation::<f64>::new(&fmu(Steered::Velocity).case);
     let mut twist = Twist::ZERO;
     (twist.linear.x, twist.linear.z) = (0.2, -0.1);
     for n in 0..20 {
@@ -92,7 +92,7 @@ fn a_state_is_gone_back_to_to_the_bit() {
     assert_eq!((outputs(&mut driven), driven.number(0).unwrap()), (before, 0.01));
     driven.step(0.01, 0.01).unwrap();
     assert_eq!(outputs(&mut driven), once);
-    // By another instance, too, also after its end, and not by that of another unit.
+    // By another instance, too, also after its end, and not by that of another FMU.
     let mut other = instance(Steered::Velocity);
     other.restore(&saved).unwrap();
     other.step(0.01, 0.01).unwrap();
@@ -101,7 +101,7 @@ fn a_state_is_gone_back_to_to_the_bit() {
     other.restore(&saved).unwrap();
     other.step(0.01, 0.01).unwrap();
     assert_eq!(outputs(&mut other), once);
-    assert!(instance(Steered::Load).restore(&saved).unwrap_err().message.contains("no state of this unit"));
+    assert!(instance(Steered::Load).restore(&saved).unwrap_err().message.contains("no state of this FMU"));
     driven.reset();
     driven.enter_initialization(0.0, None).unwrap();
     assert_eq!(driven.number(FORCE).unwrap(), 0.0);
@@ -137,7 +137,7 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
     // The importer goes on for longer than the case.
     let mut longer = with("soil.friction_angle=30 deg\ngrid.cell=30 mm").unwrap();
     longer.step(0.0, 0.11).unwrap();
-    assert!(Instance::new(unit(Steered::Own), "{coulter}").unwrap_err().message.contains("another unit"));
+    assert!(Instance::new(fmu(Steered::Own), "{coulter}").unwrap_err().message.contains("another FMU"));
 }
 
 #[test]
@@ -165,12 +165,12 @@ fn results_are_written_where_asked_and_a_body_that_is_led_out_fails() {
 fn nothing_is_written_with_another_library() {
     let folder = tempfile::tempdir().unwrap();
     let (library, to) = (folder.path().join("other.so"), folder.path().join("tow.fmu"));
-    let unit = unit(Steered::Own);
-    assert!(matches!(export(&unit, &library, &to), Err(ExportError::File { .. })));
+    let fmu = fmu(Steered::Own);
+    assert!(matches!(export(&fmu, &library, &to), Err(ExportError::File { .. })));
     std::fs::write(&library, "something else").unwrap();
-    assert!(matches!(export(&unit, &library, &to), Err(ExportError::Library(_))));
+    assert!(matches!(export(&fmu, &library, &to), Err(ExportError::Library(_))));
     assert!(!to.exists());
-    assert!(Unit::in_resources(Path::new("/nowhere")).is_err());
+    assert!(Fmu::in_resources(Path::new("/nowhere")).is_err());
 }
 
 #[test]

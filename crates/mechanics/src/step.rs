@@ -158,7 +158,7 @@ impl Step {
 
     /// Whether bodies act on each other, by joints or where they touch.
     #[must_use]
-    pub fn is_coupled(&self) -> bool {
+    pub fn are_bodies_connected(&self) -> bool {
         !self.joints.is_empty() || !self.touches.is_empty()
     }
 

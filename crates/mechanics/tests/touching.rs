@@ -125,7 +125,7 @@ fn oblique_impacts_with_friction_keep_momentum_and_gain_no_energy() {
     let (after, has) = (momenta(&state), mechanism.kinetic_energy(&state));
     below("momentum", (after.0 - before.0).length(), 1e-12);
     // The place of contact is a gap away from the surface of one of them: by that much the moments differ.
-    below("angular momentum", (after.1 - before.1).length(), 1e-3);
+    below("angular momentum", (after.1 - before.1).length(), 1e-4);
     below("energy and work", has - had - work, 1e-12);
     assert!(has < 0.95 * had && state.bodies[1].twist.linear.x > 0.3);
 }
@@ -203,8 +203,9 @@ fn a_stack_of_five_rests_on_its_weights() {
     below("speed", fastest.0, 1e-9);
     for n in 0..5 {
         let above: f64 = masses[n..].iter().sum();
-        let carried = state.joints[n].on_second.force.z / (dt * steps as f64);
-        below("load", carried / (9.81 * above) - 1.0, 1e-3);
+        // The velocity at the end of a step is that of half a step of fall: the first needs half the impulse.
+        let carried = state.joints[n].on_second.force.z / (dt * (steps as f64 - 0.5));
+        below("load", carried / (9.81 * above) - 1.0, 1e-9);
         below("place", state.bodies[n + 1].pose.position.z - starts[n + 1].0.position.z, 1e-9);
     }
 }
@@ -236,7 +237,7 @@ fn newtons_cradle_passes_an_impact_on_to_its_last_ball() {
         moved = (1..4).fold(moved, |most, n| most.max(height(state, n)));
     });
     let raised = length * (1.0 - angle.cos());
-    below("height of the last", highest / raised - 1.0, 5e-3);
-    below("height of those between", moved / raised, 1e-3);
-    below("energy", energy(&mechanism, &state, GRAVITY) / had - 1.0, 1e-3);
+    below("height of the last", highest / raised - 1.0, 1e-5);
+    below("height of those between", moved / raised, 1e-9);
+    below("energy", energy(&mechanism, &state, GRAVITY) / had - 1.0, 1e-5);
 }

@@ -129,6 +129,20 @@ pub(crate) struct ExchangeInterval {
     bodies: Vec<BodyInInterval>,
 }
 
+/// What a command asks of a body.
+#[derive(Default)]
+struct Asked {
+    steering: Option<Steering>,
+    /// Where it is put, and its twist there.
+    at: Option<(Pose, Twist)>,
+}
+
+impl From<Steering> for Asked {
+    fn from(steering: Steering) -> Self {
+        Self { steering: Some(steering), at: None }
+    }
+}
+
 /// Equal steps.
 #[derive(Clone, Copy, Debug)]
 struct Steps {
@@ -236,7 +250,7 @@ impl<R: Precision> Simulation<R> {
                 return Err(ExchangeError::Request(format!("there is no body number {body}")));
             };
             let asked = self.asked(*body, command, steps);
-            let (asked, at) = asked.map_err(|why| {
+            let Asked { steering: asked, at } = asked.map_err(|why| {
                 ExchangeError::Request(format!("body {}: {why}", self.model.bodies[*body].name))
             })?;
             *own = asked;
@@ -399,25 +413,17 @@ impl<R: Precision> Simulation<R> {
     }
 
     /// What a command means for these steps, and where it puts the body.
-    #[allow(clippy::type_complexity)]
-    fn asked(
-        &self,
-        body: usize,
-        command: &Command,
-        steps: Steps,
-    ) -> Result<(Option<Steering>, Option<(Pose, Twist)>), String> {
+    fn asked(&self, body: usize, command: &Command, steps: Steps) -> Result<Asked, String> {
         match command {
-            Command::Own => Ok((None, None)),
+            Command::Own => Ok(Asked::default()),
             Command::Load(load) => {
                 finite(&[load.force, load.moment])?;
-                Ok((Some(Steering::Loaded(*load)), None))
+                Ok(Steering::Loaded(*load).into())
             }
-            Command::Twist(twist) => {
-                Ok((Some(Steering::Prescribed(self.admitted(body, twist, steps.dt)?)), None))
-            }
+            Command::Twist(twist) => Ok(Steering::Prescribed(self.admitted(body, twist, steps.dt)?).into()),
             Command::Pose(pose) => {
                 let twist = leading(self.state.pose(body), pose, steps)?;
-                Ok((Some(Steering::Prescribed(self.admitted(body, &twist, steps.dt)?)), None))
+                Ok(Steering::Prescribed(self.admitted(body, &twist, steps.dt)?).into())
             }
             Command::Coupled(coupled) => {
                 self.alone(body)?;
@@ -426,7 +432,7 @@ impl<R: Precision> Simulation<R> {
                 finite(&[coupled.acceleration.linear, coupled.acceleration.angular])?;
                 let fixed: Vec<Twist> = self.freedoms(body, true).map(|(_, column)| column).collect();
                 let (mobility, acceleration) = coupled.mobility.held(&fixed, coupled.acceleration);
-                Ok((Some(Steering::Coupled { mobility, acceleration }), Some((at, twist))))
+                Ok(Asked { at: Some((at, twist)), ..Steering::Coupled { mobility, acceleration }.into() })
             }
         }
     }

@@ -30,7 +30,7 @@ const OFTEN: &str = "numerics.remap_displacement=0.01";
 const PENALTY: &str = "numerics.contact=\"penalty\"";
 
 /// Every family of the verification suite, both precisions, both contact methods, one to three threads.
-pub const SET_UPS: [SetUp; 31] = [
+pub const SET_UPS: [SetUp; 32] = [
     set_up(
         "sand at rest",
         "validation/A4_soil_at_rest/case.toml",
@@ -99,6 +99,14 @@ pub const SET_UPS: [SetUp; 31] = [
         2,
         200,
     ),
+    set_up("disc on a boulder", "cases/disc_over_boulder.toml", BOULDER, 2, 200),
+];
+const BOULDER: &[&str] = &[
+    "grid.cell=\"12 mm\"",
+    OFTEN,
+    "body.boulder.x=\"0 m\"",
+    "body.boulder.sinkage=\"0.12 m\"",
+    "run.tow_distance=\"0.2 m\"",
 ];
 const VELOCITY: &str = "ground.velocity=[\"0.3 m/s\", \"0.1 m/s\", \"0 m/s\"]";
 const MOVING: &[&str] = &[

@@ -108,15 +108,15 @@ impl Impulses {
         islands.resize_with(count, SweptIsland::default);
         let least = (CONSTRAINTS_AT_ONCE * count).div_ceil(order.len().max(1)).max(1);
         // Joints and touching bodies connect islands; without them all sweeps are one piece of work.
-        let is_coupled = problem.moving.is_coupled();
-        let (known, sweeps) = (&*problem, if is_coupled { 0 } else { SWEEPS });
+        let is_connected = problem.moving.are_bodies_connected();
+        let (known, sweeps) = (&*problem, if is_connected { 0 } else { SWEEPS });
         problem.crew.portions(islands, least, |first, islands| {
             for (n, island) in islands.iter_mut().enumerate() {
                 island.begin(known, first + n, prepared, order);
                 island.sweep(sweeps);
             }
         });
-        for _ in 0..if is_coupled { SWEEPS } else { 0 } {
+        for _ in 0..if is_connected { SWEEPS } else { 0 } {
             problem
                 .crew
                 .portions(islands, least, |_, islands| islands.iter_mut().for_each(|island| island.sweep(1)));

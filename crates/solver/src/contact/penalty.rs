@@ -98,6 +98,10 @@ impl ContactLaw for Penalty {
                 problem.impulses[n] = [*normal, *friction];
             }
         }
+        // Bodies on each other answer what the soil has done to them.
+        if problem.moving.touches() > 0 {
+            problem.moving.settle();
+        }
         for n in 0..problem.contacts.len() {
             let relative = problem.slip_velocity_of(n);
             update_history(&mut problem.contacts[n], relative, problem.dt);

@@ -78,9 +78,6 @@ pub(crate) fn solve<R: Scalar>(
     };
     problem.press_water();
     law.act(&mut problem);
-    if problem.moving.touches() > 0 {
-        problem.moving.settle();
-    }
     problem.add_reactions();
     problem.record_water();
     openings.clear();

@@ -1,4 +1,4 @@
-//! What a unit is made of: a case, and how its bodies are steered; and the run that it begins.
+//! What an FMU is made of: a case, and how its bodies are steered; and the run that it begins.
 
 use crate::variables::{Steered, Variable, variables};
 use coulter::case::{self, Case, resolved::Precision};
@@ -11,9 +11,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::xxh3_64;
 
-/// Why a case cannot be that of a unit.
+/// Why a case cannot be that of an FMU.
 #[derive(Debug, thiserror::Error)]
-pub enum UnitError {
+pub enum FmuError {
     /// The case is wrong.
     #[error(transparent)]
     Case(#[from] coulter::case::CaseError),
@@ -33,7 +33,7 @@ pub(crate) type Ended = Result<String, String>;
 
 /// A case, and how an importer steers its bodies.
 #[derive(Clone, Debug)]
-pub struct Unit {
+pub struct Fmu {
     /// The case.
     pub case: Case,
     /// The text of the case, with what was set in it.
@@ -44,28 +44,28 @@ pub struct Unit {
     pub steered: Vec<Steered>,
 }
 
-impl Unit {
+impl Fmu {
     /// Reads a case file with overrides such as `soil.friction_angle=38 deg`; `steered` says how bodies are
     /// steered, by their names; others move as the case says.
     ///
     /// # Errors
-    /// [`UnitError`].
+    /// [`FmuError`].
     pub fn of_file(
         path: &Path,
         overrides: &[String],
         steered: &BTreeMap<String, Steered>,
-    ) -> Result<Self, UnitError> {
+    ) -> Result<Self, FmuError> {
         let (text, source_name) = (case::text(path)?, path.display().to_string());
         let case = case::parse(&text, &source_name, overrides)?;
-        // By itself a case has the name of its file, which is another in a unit.
+        // By itself a case has the name of its file, which is another in an FMU.
         let named = [overrides, &[format!("name={}", case.name)]].concat();
         let typed = case::overridden(&text, &source_name, &named)?;
         if !case.stages.is_empty() {
-            return Err(UnitError::Stages);
+            return Err(FmuError::Stages);
         }
         let names: Vec<&str> = case.bodies.iter().map(|body| body.name.as_str()).collect();
         if let Some(other) = steered.keys().find(|name| !names.contains(&name.as_str())) {
-            return Err(UnitError::NoBody(other.clone(), names.join(", ")));
+            return Err(FmuError::NoBody(other.clone(), names.join(", ")));
         }
         let of = |name: &str| steered.get(name).copied().unwrap_or_default();
         let steered = names.into_iter().map(of).collect();
@@ -78,7 +78,7 @@ impl Unit {
         names.zip(self.steered.iter().copied()).filter(|(_, how)| *how != Steered::Own).collect()
     }
 
-    /// What a unit and its description must agree about: the text of the case, the steering, and the version
+    /// What an FMU and its description must agree about: the text of the case, the steering, and the version
     /// of this program.
     #[must_use]
     pub fn token(&self) -> String {
@@ -110,13 +110,13 @@ impl Unit {
     ///
     /// # Errors
     /// A case that cannot be simulated.
-    pub(crate) fn at_start(&self) -> Result<Exchange, UnitError> {
+    pub(crate) fn at_start(&self) -> Result<Exchange, FmuError> {
         let mut first = First(None);
-        silently(&self.case, &mut first).map_err(UnitError::Unbuildable)?;
-        first.0.ok_or_else(|| UnitError::Unbuildable("the case does not begin".to_owned()))
+        silently(&self.case, &mut first).map_err(FmuError::Unbuildable)?;
+        first.0.ok_or_else(|| FmuError::Unbuildable("the case does not begin".to_owned()))
     }
 
-    /// The numbers of the unit.
+    /// The numbers of the FMU.
     pub(crate) fn variables(&self, at_start: &Exchange) -> Vec<Variable> {
         let bodies = self.case.bodies.iter().zip(&self.steered).zip(&at_start.reactions);
         variables(bodies.map(|((body, steered), standing)| (body.name.as_str(), *steered, standing)))
