@@ -3,7 +3,7 @@
 use coulter::case::{self, Case, CaseError};
 use coulter::history::History;
 use coulter::interrupts::Interrupts;
-use coulter::run::{End, Follower, NoFollower, RunError, RunOptions, Start, alone, run_followed};
+use coulter::run::{End, Follower, NoFollower, RunError, RunOptions, Start, run_followed};
 use coulter::simulation::Next;
 use miette::GraphicalReportHandler;
 use std::collections::BTreeMap;
@@ -57,15 +57,7 @@ pub fn run_small(top: &Path, start: Start, stops: bool) -> Result<End, RunError>
     static SMALL: OnceLock<Case> = OnceLock::new();
     let case = SMALL.get_or_init(|| case::parse(CASE, "small.toml", &[]).expect("the case is valid"));
     let interrupts = Interrupts::default();
-    let options = RunOptions {
-        folder: top,
-        start,
-        quiet: true,
-        warnings: &[],
-        interrupts: &interrupts,
-        typed: CASE,
-        communicator: alone,
-    };
+    let options = RunOptions::quiet(top, start, CASE, "small.toml", &interrupts);
     if stops { run_followed(case, &options, &mut Stopping) } else { run_followed(case, &options, &mut NoFollower) }
 }
 

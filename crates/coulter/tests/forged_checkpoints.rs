@@ -7,7 +7,7 @@ use coulter::case::{self, Case};
 use coulter::history::{History, StageStart};
 use coulter::interrupts::Interrupts;
 use coulter::output::checkpoint::{self, Checkpoint, CheckpointView};
-use coulter::run::{End, Follower, RunError, RunOptions, Start, alone, run_followed};
+use coulter::run::{End, Follower, RunError, RunOptions, Start, run_followed};
 use coulter::simulation::Next;
 use solver::grid::{Grid, LANES};
 use solver::halo::Halo;
@@ -31,16 +31,7 @@ impl Follower for Stopping {
 
 fn run(case: &Case, folder: &Path, start: Start) -> Result<End, RunError> {
     let interrupts = Interrupts::default();
-    let options = RunOptions {
-        folder,
-        start,
-        quiet: true,
-        warnings: &[],
-        interrupts: &interrupts,
-        typed: CASE,
-        source_name: "case.toml",
-        communicator: alone,
-    };
+    let options = RunOptions::quiet(folder, start, CASE, "case.toml", &interrupts);
     run_followed(case, &options, &mut Stopping)
 }
 

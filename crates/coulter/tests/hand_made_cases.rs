@@ -171,16 +171,7 @@ fn a_case_that_is_not_valid_cannot_be_run() {
     assert_eq!(error.problems[0].path, "grid.cell");
     let folder = tempfile::tempdir().unwrap();
     let (results, interrupts) = (folder.path().join("results"), Interrupts::default());
-    let options = RunOptions {
-        folder: &results,
-        start: Start::Anew,
-        quiet: true,
-        warnings: &[],
-        interrupts: &interrupts,
-        typed: "",
-        source_name: "case.toml",
-        communicator: coulter::run::alone,
-    };
+    let options = RunOptions::quiet(&results, Start::Anew, "", "case.toml", &interrupts);
     assert!(matches!(run(&case, &options), Err(RunError::Case(_))));
     assert!(!results.exists(), "nothing may be written");
 }

@@ -84,16 +84,7 @@ fn a_results_folder_holds_the_files_of_its_case() {
     let case = load(&file, &["run.duration=2 ms".to_owned()]).unwrap();
     let results = folder.path().join("results");
     let interrupts = Interrupts::default();
-    let options = |start| RunOptions {
-        folder: &results,
-        start,
-        quiet: true,
-        warnings: &[],
-        interrupts: &interrupts,
-        typed: &typed,
-        source_name: "case.toml",
-        communicator: coulter::run::alone,
-    };
+    let options = |start| RunOptions::quiet(&results, start, &typed, "case.toml", &interrupts);
     run::run(&case, &options(Start::Anew)).unwrap();
     assert!(results.join("bodies/tool.stl").is_file());
     let copy =

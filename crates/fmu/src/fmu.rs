@@ -132,16 +132,7 @@ impl Fmu {
 
     fn kept_in(&self, folder: &Path, steerer: &mut dyn Steerer) -> Ended {
         let interrupts = Interrupts::default();
-        let options = RunOptions {
-            folder,
-            start: Start::Replace,
-            quiet: true,
-            warnings: &[],
-            interrupts: &interrupts,
-            typed: &self.typed,
-            source_name: &self.source_name,
-            communicator: run::alone,
-        };
+        let options = RunOptions::quiet(folder, Start::Replace, &self.typed, &self.source_name, &interrupts);
         match run::run_steered(&self.case, &options, steerer) {
             Ok(End::Stopped(..)) => Ok(String::new()),
             Ok(End::Finished(summary)) => {

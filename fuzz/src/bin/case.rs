@@ -18,7 +18,7 @@ fn look(found: Result<Case, CaseError>) {
 fuzz_target!(|data: &[u8]| {
     let path = file("case.toml", data);
     look(case::load(&path, &[]));
-    if data.len() % 8 == 0 {
+    if data.len().is_multiple_of(8) {
         // The same but for what they do not ask for.
         look(case::load_for_forecast(&path, &[]).map(|(case, _)| case));
         let _ = case::load_soil(&path, &[]);

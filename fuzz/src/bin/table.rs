@@ -29,7 +29,7 @@ fuzz_target!(init: { parquet() }, |data: &[u8]| {
     }
     let path = file("table.csv", data);
     // One motion of six for each input: they differ by their words alone.
-    let _ = motion_table::read(&path, data.len() % 6, data.len() % 2 == 0);
+    let _ = motion_table::read(&path, data.len() % 6, data.len().is_multiple_of(2));
     if let Err(error) = measured::read(&path, &[]) {
         show(&error);
     }

@@ -46,6 +46,29 @@ pub struct RunOptions<'a> {
     pub communicator: fn() -> Box<dyn Communicator>,
 }
 
+impl<'a> RunOptions<'a> {
+    /// A run in one process that shows no progress.
+    #[must_use]
+    pub fn quiet(
+        folder: &'a Path,
+        start: Start,
+        typed: &'a str,
+        source_name: &'a str,
+        interrupts: &'a Interrupts,
+    ) -> Self {
+        Self {
+            folder,
+            start,
+            quiet: true,
+            warnings: &[],
+            interrupts,
+            typed,
+            source_name,
+            communicator: alone,
+        }
+    }
+}
+
 /// The communicator of a run in one process.
 #[must_use]
 pub fn alone() -> Box<dyn Communicator> {

@@ -163,16 +163,7 @@ impl Solver<'_> {
         let folder = folder.map_err(|error| SolverError::Other(error.to_string()))?;
         point.folders.push(folder.clone());
         let path = self.case.display().to_string();
-        let options = RunOptions {
-            folder: &folder,
-            start: Start::AutoResume,
-            quiet: true,
-            warnings: &[],
-            interrupts: self.interrupts,
-            typed: &typed,
-            source_name: &path,
-            communicator: coulter::run::alone,
-        };
+        let options = RunOptions::quiet(&folder, Start::AutoResume, &typed, &path, self.interrupts);
         match run::run(&case, &options) {
             Ok(End::Finished(summary)) => {
                 let verdict = summary.trust.verdict;

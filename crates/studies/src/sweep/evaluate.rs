@@ -166,16 +166,7 @@ fn solved(shared: &Shared, line: &CaseLine, base: &BaseCase, mut case: Case) -> 
     let asked = line.meshes.map(Asked::meshes_alone);
     let plan = asked.map(|asked| variations(&case, &typed, &base.path, &asked).map_err(wrong)).transpose()?;
     let folder = shared.store.run_folder(&line.id)?;
-    let options = RunOptions {
-        folder: &folder,
-        start: Start::AutoResume,
-        quiet: true,
-        warnings: &[],
-        interrupts: &shared.interrupts,
-        typed: &typed,
-        source_name: &base.path,
-        communicator: coulter::run::alone,
-    };
+    let options = RunOptions::quiet(&folder, Start::AutoResume, &typed, &base.path, &shared.interrupts);
     let ended = |ending: Ending, reason: String, summary: &Summary| {
         let record = RunRecord::read(&folder)?;
         Ok(Outcome { id: line.id.clone(), ending, reason, rows: runs(&case, summary, (&folder, &record)) })
