@@ -88,11 +88,13 @@ impl Paths<'_> {
     /// The box that encloses a body on its whole path in the grid.
     pub(super) fn of_body(&self, body: &Body) -> Extent {
         let (own, grid) = (range(body, self.duration), self.of_grid());
-        // A body that moves with the grid stays in its place, even where it moves to and fro.
+        let guide = body.guided();
+        // A body that moves with the grid stays in its place, even where it moves to and fro. Of a free
+        // one it is not known whether it is taken along: the run says where it leaves the grid.
         let relative = |axis: usize| {
             let ([low, high], [back, ahead]) = ([own[0][axis], own[1][axis]], [grid[0][axis], grid[1][axis]]);
             let goes_one_way = low * high == 0.0 && back * ahead == 0.0;
-            if [low, high] == [back, ahead] {
+            if [low, high] == [back, ahead] || guide.translation[axis].is_free() {
                 [0.0; 2]
             } else if goes_one_way {
                 let end = (low + high) - (back + ahead);

@@ -28,8 +28,9 @@ pub(super) struct Arguments {
     /// Fail unless exactly the rows in validation/expected_failures.toml fail
     #[arg(long)]
     strict: bool,
-    /// Write the figures into README.md, docs/reference/verification.md and docs/data of the current folder
-    #[arg(long)]
+    /// Write the figures of all benchmarks into README.md, docs/reference/verification.md and docs/data of
+    /// the current folder
+    #[arg(long, conflicts_with = "ids")]
     write: bool,
     /// Sets a key in every case that is run from a case file, such as numerics.contact=impulse; may be
     /// repeated

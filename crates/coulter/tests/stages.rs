@@ -59,6 +59,14 @@ fn each_stage_ends_where_it_should_and_the_next_goes_on_from_there() {
 }
 
 #[test]
+fn averages_are_taken_over_the_stage_that_says_so() {
+    let held = STAGES.replace("'fixed'\nduration = '0.03 s'", "'fixed'\nduration = '0.03 s'\nsteady = true");
+    assert_eq!(case(&held, &[]).unwrap().steady_stage(), Some(1));
+    let twice = case(&held, &["stage.tow.steady=true"]).unwrap_err();
+    assert!(twice.contains("stage.tow.steady") && twice.contains("all but one stage"), "{twice}");
+}
+
+#[test]
 fn a_run_of_one_stage_is_that_of_the_same_motions_without() {
     let motions = "heave = { speed = '-0.1 m/s', ramp = '2 ms' }\nforward = { speed = '0.3 m/s', ramp = '2 ms' }\nspin = 'free'\n";
     let plain = case(&format!("{motions}[run]\nduration = '20 ms'\n"), &[]).unwrap();

@@ -172,3 +172,11 @@ fn what_cannot_touch_is_refused() {
     let refusal = simulation.step_until(0.01, &[(1, Command::Coupled(coupled))]).unwrap_err().to_string();
     assert!(refusal.contains("it has the joint `touch` here"), "{refusal}");
 }
+
+/// A free body that is pushed along with the grid was said to be left behind by it.
+#[test]
+fn a_body_that_is_pushed_along_may_go_farther_than_the_box_is_long() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/row_of_balls.toml");
+    let far = coulter::case::load(path.as_ref(), &["run.tow_distance=3 m".to_owned()]);
+    assert!(far.is_ok(), "{far:?}");
+}

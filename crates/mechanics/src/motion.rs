@@ -66,6 +66,17 @@ impl Motion {
         matches!(self, Self::Free { .. })
     }
 
+    /// Whether the motion is other than rest, or a halt.
+    #[must_use]
+    pub fn may_move(&self) -> bool {
+        match self {
+            Self::Fixed => false,
+            Self::Prescribed { speed, .. } => *speed != 0.0,
+            Self::Course(course) => course.fastest() > 0.0,
+            Self::Free { .. } => true,
+        }
+    }
+
     /// Whether a motion that was read from a checkpoint has what it takes.
     #[must_use]
     pub fn is_sound(&self) -> bool {

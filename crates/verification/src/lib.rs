@@ -63,6 +63,7 @@ mod strip_sand;
 pub mod table;
 mod taylor;
 mod three_meshes;
+mod touching;
 pub mod trace;
 mod transport;
 mod wall;

@@ -7,7 +7,7 @@ use crate::{
     attitude, blade, circle, column, conservation, consolidation, control, disc, element, falls, few_cells,
     flow, footing, friction, group, light, long_tow, other_codes, plate, positions, precision, repeat, rest,
     rigid, rotating, rough_wall, round_column, scaling, softening, strip_sand, taylor, three_meshes,
-    transport, wall, wall_under_water, wave, yielding_box,
+    touching, transport, wall, wall_under_water, wave, yielding_box,
 };
 use std::sync::LazyLock;
 
@@ -62,6 +62,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("A10", "A10_taylor_bar", Run, taylor::run),
     benchmark!("A11", "A11_position_and_direction", Run, positions::run),
     benchmark!("A12", "A12_light_body", Run, light::run),
+    benchmark!("A13", "A13_bodies_that_touch", Run, touching::run),
     benchmark!("B1", "B1_strip_footing", Run, footing::run),
     benchmark!("B2", "B2_rough_strip_footing", Run, footing::rough),
     benchmark!("B3", "B3_circular_footing", Run, circle::clay),

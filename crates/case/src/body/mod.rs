@@ -243,6 +243,14 @@ impl Body {
         Guide { translation: [x, y, z], rotation: [yaw, tilt], bounds }
     }
 
+    /// Whether nothing moves the body in the whole run.
+    #[must_use]
+    pub fn is_still(&self) -> bool {
+        let Guide { translation, rotation, .. } = self.guided();
+        let mut motions = translation.iter().chain(&rotation).chain([self.spin()]);
+        self.staged.is_none() && motions.all(|motion| !motion.may_move())
+    }
+
     /// Whether the axle of the body may leave the direction that it has at the start.
     #[must_use]
     pub fn steers(&self) -> bool {

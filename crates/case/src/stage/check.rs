@@ -12,6 +12,10 @@ use mechanics::Motion;
 /// their range.
 pub(crate) fn check(stages: &[Stage], bodies: &[Body], domain: &Domain, problems: &mut Problems) {
     let (across_y, across_x) = (domain.symmetric || domain.plane_strain, domain.symmetric_x);
+    for second in stages.iter().filter(|stage| stage.steady).skip(1) {
+        let message = "another stage is the one over which averages are taken";
+        problems.add(format!("stage.{}.steady", second.name), message, "leave it out of all but one stage");
+    }
     for stage in stages {
         let path = format!("stage.{}", stage.name);
         in_ranges(&path, &numbers(FIELDS, stage), problems);

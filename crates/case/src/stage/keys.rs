@@ -16,6 +16,10 @@ pub(super) const FIELDS: &[Field] = &[
             "How long the stage lasts; with `until` how long at most: a stage that does not reach its end by then ends the run as broken.",
         ),
     Field::new("until", Kind::Until, Place::Elsewhere).derived("the duration").means("What ends the stage."),
+    Field::new("steady", Kind::Flag, Place::Elsewhere).derived("the last that tows").means(
+        "Whether steady averages are taken over this stage; of one stage at most. Otherwise over the last that sets `forward` or \
+         `lateral` of a body in motion, or else the last.",
+    ),
 ];
 
 /// Keys of a stage, without the places of their values.

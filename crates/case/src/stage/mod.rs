@@ -21,6 +21,9 @@ pub struct Stage {
     pub duration: f64,
     /// What ends the stage.
     pub until: Option<Until>,
+    /// Whether averages are taken over this stage.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub steady: bool,
     /// The motions that change at the beginning of the stage.
     pub changes: Vec<Change>,
 }
@@ -104,18 +107,10 @@ pub struct MotionTable {
     pub path: PathBuf,
 }
 
-/// The stage over which averages are taken: the last in which a body is towed, or else the last.
+/// The stage over which averages are taken: the one that says so; otherwise the last in which a body is
+/// towed, or else the last.
 pub(crate) fn steady(stages: &[Stage]) -> Option<usize> {
-    let tows = |stage: &Stage| stage.changes.iter().any(|change| change.motion < 2 && may_move(&change.to));
-    stages.iter().rposition(tows).or(stages.len().checked_sub(1))
-}
-
-/// Whether a motion is other than a halt.
-fn may_move(motion: &Motion) -> bool {
-    match motion {
-        Motion::Fixed => false,
-        Motion::Prescribed { speed, .. } => *speed != 0.0,
-        Motion::Course(course) => course.fastest() > 0.0,
-        Motion::Free { .. } => true,
-    }
+    let tows = |stage: &Stage| stage.changes.iter().any(|change| change.motion < 2 && change.to.may_move());
+    let named = stages.iter().position(|stage| stage.steady);
+    named.or_else(|| stages.iter().rposition(tows)).or(stages.len().checked_sub(1))
 }

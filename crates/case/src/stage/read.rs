@@ -1,6 +1,6 @@
 //! The stages of a run: what moves how in each of them, and where prescribed motions take the bodies.
 
-use super::keys::FIELDS;
+use super::keys::{FIELDS, KEYS};
 use super::{Change, Stage, StageQuantity, Until, steady};
 use crate::body::{Body, MOTIONS, Rolling, Staged, freedom, of_body, spin};
 use crate::context::Context;
@@ -43,7 +43,8 @@ pub(crate) fn stages(
             Some(Until { body, quantity, value: typed.value })
         });
         let name = section.path.trim_start_matches("stage.").to_owned();
-        all.push(duration.map(|duration| Stage { name, duration, until, changes }));
+        let steady = section.flag("steady").unwrap_or(false);
+        all.push(duration.map(|duration| Stage { name, duration, until, steady, changes }));
     }
     all.into_iter().collect()
 }
@@ -66,10 +67,10 @@ fn number_of(name: &str, path: &str, bodies: &[Body], problems: &mut Problems) -
         return None;
     }
     let names = || bodies.iter().map(|body| &*body.name);
-    let cure = nearest(name, names().chain(["duration", "until"])).map_or_else(
+    let cure = nearest(name, names().chain(KEYS.iter().map(|key| key.name))).map_or_else(
         || {
             format!(
-                "a stage has `duration`, `until` and the names of bodies: {}",
+                "a stage has `duration`, `until`, `steady` and the names of bodies: {}",
                 names().collect::<Vec<_>>().join(", ")
             )
         },

@@ -51,6 +51,8 @@ struct View<'a> {
     /// Intervals from variations of the case.
     confidence: Option<&'a BodyConfidence>,
     samples: &'a [BodySample],
+    /// Whether the steady window is at the end of the run.
+    ends_run: bool,
 }
 
 impl View<'_> {
@@ -73,10 +75,22 @@ impl View<'_> {
         let name = self.reference.name.replace('_', " ");
         let sinkage = self.figure("sinkage").map(|figure| text(&figure, Unit::length));
         if !self.reference.towed {
-            let force = text(&self.figure("vertical")?, Unit::force);
+            let force = self.figure("vertical")?;
+            let force = if force.value < 0.0 {
+                format!("weighs on the {name} with {}", text(&force.negative(), Unit::force))
+            } else {
+                format!("bears the {name} with {}", text(&force, Unit::force))
+            };
+            let seconds =
+                |time: Option<f64>| text(&Figure::exact(time.unwrap_or(f64::NAN)), |_| Unit::of("s", 1.0));
+            let [from_s, to_s] = [self.summary.steady.from_s, self.summary.steady.to_s];
+            let when = match self.ends_run {
+                true => "at the end".to_owned(),
+                false => format!("from {} to {}", seconds(from_s), seconds(to_s)),
+            };
             let deepest = self.summary.peak.sinkage.map(|z| text(&Figure::exact(z), Unit::length));
             let depth = deepest.map_or(String::new(), |z| format!("; it is at most {z} deep"));
-            return Some(format!("The soil bears the {name} with {force} at the end{depth}."));
+            return Some(format!("The soil {force} {when}{depth}."));
         }
         let drag = self.figure("drag")?;
         let force = if drag.value < 0.0 {
@@ -174,7 +188,8 @@ fn views<'a>(record: &'a RunRecord, summary: &'a Summary, history: &'a History) 
     let view = |window: SteadyWindow<'a>| {
         let (reference, samples) = (window.reference, window.inside());
         let confidence = summary.confidence.as_ref().and_then(|all| all.bodies.get(&reference.name));
-        Some(View { reference, summary: summary.bodies.get(&reference.name)?, confidence, samples })
+        let ends_run = window.range.end == window.samples.len();
+        Some(View { reference, summary: summary.bodies.get(&reference.name)?, confidence, samples, ends_run })
     };
     bodies.filter_map(view).collect()
 }
@@ -188,13 +203,15 @@ pub(super) fn tiles(record: &RunRecord, summary: &Summary, history: &History, bo
 /// The sentences: what happened, whether it can be trusted, how far it may be off.
 pub(super) fn sentences(record: &RunRecord, summary: &Summary, history: &History) -> Vec<String> {
     let views = views(record, summary, history);
-    let all = [happened(summary, &views), Some(trusted(summary)), uncertain(summary, &views)];
+    let all = [happened(record, summary, &views), Some(trusted(summary)), uncertain(summary, &views)];
     // A number and its per cent sign stay on one line.
     all.into_iter().flatten().map(|sentence| sentence.replace(" %", "\u{a0}%")).collect()
 }
 
-fn happened(summary: &Summary, views: &[View<'_>]) -> Option<String> {
-    match views {
+fn happened(record: &RunRecord, summary: &Summary, views: &[View<'_>]) -> Option<String> {
+    let is_moved = |view: &&View<'_>| record.moved_bodies().any(|body| body.name == view.reference.name);
+    let moved: Vec<&View<'_>> = views.iter().filter(is_moved).collect();
+    match &moved[..] {
         [] => None,
         [view] => view.sentence(),
         _ => {
@@ -204,7 +221,7 @@ fn happened(summary: &Summary, views: &[View<'_>]) -> Option<String> {
             let (drag, vertical) = (force(all.get("drag")), force(all.get("vertical")));
             Some(format!(
                 "The {} bodies together resist the tow with {drag}; the soil bears them with {vertical}.",
-                views.len()
+                moved.len()
             ))
         }
     }

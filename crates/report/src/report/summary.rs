@@ -47,8 +47,8 @@ pub struct Summary {
     pub ruts: BTreeMap<String, RutSection>,
     /// The bodies by name.
     pub bodies: BTreeMap<String, BodySummary>,
-    /// Steady means of the forces of the soil on all bodies together [N]; `null` where only one touches the
-    /// soil.
+    /// Steady means of the forces of the soil on all bodies together [N], but for obstacles that nothing
+    /// moves beside bodies that move; `null` where that is one body.
     pub all_bodies: Option<Figures<Option<f64>>>,
     /// The parts by name of bodies that consist of several: the soil's force on each.
     pub parts: BTreeMap<String, ForceSummary>,
@@ -277,8 +277,8 @@ impl Summary {
                 (reference.name.clone(), BodySummary { steady, peak: peak(samples), rim, mesh })
             })
             .collect();
-        let touching = record.bodies.iter().filter(|reference| reference.has_surface());
-        let steady = touching.filter_map(|reference| Some(&self.bodies.get(&reference.name)?.steady));
+        let steady =
+            record.moved_bodies().filter_map(|reference| Some(&self.bodies.get(&reference.name)?.steady));
         let steady: Vec<&Steady> = steady.collect();
         let sum = |force: Quantity| steady.iter().map(|body| force.mean(body)).sum();
         self.all_bodies = (steady.len() > 1).then(|| Figures::of_forces(sum));

@@ -260,6 +260,13 @@ impl RunRecord {
         bodies.map(|(samples, reference)| SteadyWindow::of(samples, reference, self.steady_part()))
     }
 
+    /// The bodies with a surface, without obstacles that nothing moves, unless nothing moves any of them.
+    pub fn moved_bodies(&self) -> impl Iterator<Item = &Reference> {
+        let touching = || self.bodies.iter().filter(|body| body.has_surface());
+        let all_are_still = touching().all(|body| body.still);
+        touching().filter(move |body| all_are_still || !body.still)
+    }
+
     /// Which part of the run averages are taken over.
     #[must_use]
     pub fn steady_part(&self) -> SteadyPart {

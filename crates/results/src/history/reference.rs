@@ -91,6 +91,9 @@ pub struct Reference {
     pub radius: Option<f64>,
     /// Whether the body moves along x or y, prescribed or free.
     pub towed: bool,
+    /// Whether nothing moves the body in the whole run: it is an obstacle to others.
+    #[serde(default)]
+    pub still: bool,
     /// Direction of the tow of the body.
     #[serde(default)]
     pub tow: TowDirection,
@@ -121,7 +124,8 @@ impl Reference {
                 .width_of_body(body.surfaces().iter().map(|surface| tow.width_across(surface)).sum()),
             unit_weight: case.soil.unit_weight,
             radius: body.wheel_diameter().map(|diameter| 0.5 * diameter),
-            towed: body.guided().translation[..2].iter().any(|motion| *motion != Motion::Fixed),
+            towed: body.guided().translation[..2].iter().any(Motion::may_move),
+            still: body.is_still(),
             tow,
             weight_along: weight_along(case, body, tow),
             yaw_drive: if *body.spin() == Motion::Fixed {

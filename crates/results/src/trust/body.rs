@@ -27,11 +27,11 @@ pub(super) struct BodyChecks<'a> {
 
 impl BodyChecks<'_> {
     pub(super) fn checks(&self) -> Vec<Check> {
-        if !self.reference.has_surface() {
-            return Vec::new();
-        }
         let window = SteadyWindow::of(self.samples, self.reference, self.part);
         let (inside, is_towed, steady) = (window.inside(), window.is_towed(), &window.steady);
+        if !self.reference.has_surface() || self.hangs_clear(&window) {
+            return Vec::new();
+        }
         let mut checks = vec![self.check(&limits::LEAK, self.leak(inside))];
         checks.extend(contact::of_body(self.setting, self.body, self.samples, inside));
         checks.extend(self.resolution(&window));
@@ -150,6 +150,7 @@ impl BodyChecks<'_> {
         if self.body.heaves_freely
             && self.has_touched()
             && !self.is_above_ground()
+            && !self.is_carried_high()
             && let (Some(sinkage), Some(height)) = (steady.sinkage, self.body.extent[2])
         {
             checks.push(self.check(&limits::RIDING_HEIGHT, (-100.0 * sinkage / height).max(0.0)));
@@ -167,12 +168,33 @@ impl BodyChecks<'_> {
         self.setting.heaped && self.samples.iter().all(|s| s.sinkage <= 0.0)
     }
 
+    /// Whether a joint carries the body clear of the soil in the window, as a spacer between discs: it bears
+    /// next to nothing beside another body.
+    fn hangs_clear(&self, window: &SteadyWindow<'_>) -> bool {
+        let mean = |samples: &[BodySample]| {
+            samples.iter().map(BodySample::force).sum::<f64>() / samples.len().max(1) as f64
+        };
+        let of_body = |samples: &Vec<BodySample>| samples.get(window.range.clone()).map_or(0.0, mean);
+        let most = largest(self.history.bodies.iter().map(of_body));
+        self.body.carried && most >= self.setting.least_force() && mean(window.inside()) < CLEAR * most
+    }
+
+    /// Whether a joint carries the body beside others that sink into the ground: its height is theirs.
+    fn is_carried_high(&self) -> bool {
+        let sinks = |samples: &Vec<BodySample>| samples.last().is_some_and(|s| s.sinkage > 0.0);
+        let mut all = self.setting.bodies.iter().zip(&self.history.bodies);
+        self.body.carried && all.any(|(body, samples)| body.carried && sinks(samples))
+    }
+
     /// Whether the body has been in the soil.
     fn has_touched(&self) -> bool {
         !self.history.boundaries.is_empty()
             && self.samples.iter().any(|s| s.sinkage > 0.0 || s.vertical > 0.0)
     }
 }
+
+/// Part of the force on another body below which a body of the same gear bears next to nothing (chosen).
+const CLEAR: f64 = 0.01;
 
 /// Area of a body's base at a sinkage of at least a cell [m²]; of a round body its chord times its width.
 pub(super) fn base(body: &BodySetting, sinkage: f64) -> f64 {
@@ -195,10 +217,12 @@ pub struct Mesh {
 impl Mesh {
     /// The sinkage matters for a towed body and for a round one, not for a flat base that is pressed down;
     /// the chord for all but a towed body with a flat front. Neither is defined for a body that is above the
-    /// ground all the time.
+    /// ground all the time, nor for one that is held above it in the window, as one that has been lifted out.
     #[must_use]
     pub fn of(body: &BodySetting, window: &SteadyWindow<'_>) -> Self {
-        if window.samples.iter().all(|s| s.sinkage <= 0.0 && s.embedded_volume <= 0.0) {
+        let above =
+            |samples: &[BodySample]| samples.iter().all(|s| s.sinkage <= 0.0 && s.embedded_volume <= 0.0);
+        if above(window.samples) || !body.heaves_freely && above(window.inside()) {
             return Self::default();
         }
         let depth = window.steady.sinkage.map(|z| z.max(0.0));

@@ -1,7 +1,7 @@
 //! Facts about a case that the checks need in addition to the histories; stored in `run.json`.
 
 use crate::history::EnergySample;
-use case::resolved::{Body, Motion, Precision};
+use case::resolved::{Motion, Precision};
 use case::tow::Measures;
 use case::{Case, ClosedBox};
 use glam::DVec3;
@@ -79,6 +79,8 @@ pub struct BodySetting {
     pub turned_about: Option<usize>,
     /// Volume of the body [m³]; in plane strain that of a metre.
     pub volume: f64,
+    /// Whether a joint carries the body, which may hang clear of the soil.
+    pub carried: bool,
 }
 
 impl Setting {
@@ -121,7 +123,7 @@ impl Setting {
                 .map(|closed| closed.stiffness / closed.bearable)
                 .filter(|rise| rise.is_finite()),
             unusual: case::unusual(case),
-            bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),
+            bodies: (0..case.bodies.len()).map(|number| BodySetting::of(case, number)).collect(),
         }
     }
 
@@ -185,7 +187,8 @@ fn finest_cell(case: &Case) -> [f64; 3] {
 }
 
 impl BodySetting {
-    fn of(case: &Case, body: &Body) -> Self {
+    fn of(case: &Case, number: usize) -> Self {
+        let body = &case.bodies[number];
         let cells = DVec3::from_array(finest_cell(case));
         let Measures { extent, thickness, mut cell } = Measures::of(case, body, cells);
         let mut extent = extent.to_array().map(Some);
@@ -213,6 +216,7 @@ impl BodySetting {
             // A wheel that is driven may be steered as well.
             turned_about: [1, 2, 0].into_iter().find(is_turned),
             volume: if body.has_surface() { solid.mass_properties().volume * part_in_slab } else { 0.0 },
+            carried: case.joints.iter().any(|joint| joint.kind.carries() && joint.second == number),
         }
     }
 }

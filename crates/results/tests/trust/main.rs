@@ -181,6 +181,40 @@ fn a_body_without_soil_and_a_run_without_motion_are_not_good() {
     assert_eq!(only("motion", stands), Verdict::Doubtful);
 }
 
+/// A spacer between discs that stays above the sand was doubtful.
+#[test]
+fn a_body_that_a_joint_carries_may_hang_clear_of_the_soil() {
+    let (case, mut history) = (tow(&[]), history());
+    let mut setting = Setting::of(&case);
+    let (mut spacer, mut samples) = (setting.bodies[0].clone(), history.bodies[0].clone());
+    spacer.name = "spacer".to_owned();
+    samples.iter_mut().for_each(|s| (s.drag, s.vertical, s.sinkage) = (0.0, 0.0, -0.02));
+    setting.bodies.push(spacer);
+    history.bodies.push(samples);
+    let references = [Reference::all(&case), Reference::all(&case)].concat();
+    let mut concerns = |carried: bool, disc_is_clear: bool| {
+        setting.bodies.iter_mut().for_each(|body| body.carried = carried);
+        let mut history = history.clone();
+        if disc_is_clear {
+            history.bodies[0] = history.bodies[1].clone();
+        }
+        let trust = Trust::grade(&setting, &history, &references, 0.3, None);
+        trust.concerns().iter().filter(|c| c.name == "contact").count()
+    };
+    assert_eq!([concerns(false, false), concerns(true, false), concerns(true, true)], [1, 0, 2]);
+}
+
+/// A scoop that is lifted out with its load was said to have no cells over its sinkage.
+#[test]
+fn cells_over_sinkage_are_not_asked_for_of_a_body_that_is_held_above_the_ground() {
+    let mut history = history();
+    for sample in history.bodies[0].iter_mut().skip(200) {
+        (sample.sinkage, sample.embedded_volume) = (-0.05, 0.0);
+    }
+    let asked = |case: &Case| check(&Setting::of(case), &history, "cells over sinkage").len();
+    assert_eq!([asked(&tow(&["body.disc.heave=fixed"])), asked(&tow(&[]))], [0, 1]);
+}
+
 /// "166 552 045 394 %", "847 %": quotients of nearly nothing.
 #[test]
 fn figures_of_nearly_nothing_have_a_floor() {
