@@ -82,6 +82,12 @@ fn fill(state: &mut State, block: &Block) -> Read {
         let widths: Vec<f64> = (0..pieces).map(|n| bias.powf(-f64::from(n))).collect();
         let total: f64 = widths.iter().sum();
         for (a, b) in from.iter().zip(&to) {
+            let far = u64::from(a.label) + u64::from(pieces) * u64::from(step);
+            if far != u64::from(b.label) {
+                let message =
+                    format!("from node {} the steps lead to {far}, not to node {}", a.label, b.label);
+                return Err(Wrong::at(row.place, message));
+            }
             let ends = [position(state, a.label, row)?, position(state, b.label, row)?];
             let mut share = 0.0;
             for piece in 0..=pieces {

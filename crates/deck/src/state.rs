@@ -65,10 +65,11 @@ impl State {
 
     /// Counts what is added.
     pub(super) fn grow(&mut self, by: usize) -> Result<(), Wrong> {
-        self.count = self.count.saturating_add(by);
-        if self.count > MOST {
+        let count = self.count.saturating_add(by);
+        if count > MOST {
             return Err(format!("more than {MOST} nodes, elements and entries of sets").into());
         }
+        self.count = count;
         Ok(())
     }
 }

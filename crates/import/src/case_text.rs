@@ -21,7 +21,12 @@ impl CaseText {
     /// The text, comments in a column.
     pub(super) fn written(&self) -> String {
         let mut text = String::new();
-        for (name, lines) in &self.sections {
+        let rank = |name: &str| {
+            ["body.", "stage.", "run", "output", "numerics"].iter().position(|start| name.starts_with(start))
+        };
+        let mut sections: Vec<_> = self.sections.iter().collect();
+        sections.sort_by_key(|(name, _)| rank(name).map_or(0, |rank| rank + 1));
+        for (name, lines) in sections {
             if !name.is_empty() {
                 let _ = writeln!(text, "\n[{name}]");
             }

@@ -109,8 +109,9 @@ fn write(notes: &mut Notes, units: Option<&Units>, name: &str, asked: &Asked) ->
     soils(notes, &mut text, &facts, &at, &ground)?;
     domain(notes, &mut text, &facts, &at);
     grid(notes, &mut text, &facts, &at);
-    let files = all_bodies(notes, &mut text, &facts, &frictions, &ground);
+    // Stages follow one another as they stand in the file: before any motion of a later one.
     durations(notes, &mut text, &facts);
+    let files = all_bodies(notes, &mut text, &facts, &frictions, &ground);
     output(notes, &mut text, &facts, asked);
     Some(WrittenCase { text: text.written(), files, cells: at.counts() })
 }
@@ -325,7 +326,8 @@ fn domain(notes: &mut Notes, text: &mut CaseText, facts: &Facts, at: &Box3) {
             );
         }
         for (side, (normal, across)) in ["low", "high"].into_iter().zip(walls) {
-            if !normal && !(axis == 2 && side == "high") || (1..all).contains(&across) {
+            let is_lid = axis == 2 && side == "high";
+            if !(normal || is_lid) || (1..all).contains(&across) {
                 open.push(format!("{side} {}", &key[..1]));
             }
         }

@@ -1,6 +1,6 @@
 //! Where there is soil: volume fractions as level ground in layers.
 
-use crate::eulerian::Eulerian;
+use crate::eulerian::{Eulerian, near};
 use crate::frame::Frame;
 use crate::notes::Notes;
 use deck::block::{Row, Wrong};
@@ -198,6 +198,10 @@ fn level(at: &Box3, shares: &[Vec<f32>], skipped: &[[[f64; 2]; 3]]) -> Result<(G
         for j in 0..ny {
             let own = column(at, shares, [i, j]);
             if is_skipped(i, j) {
+                if own.as_ref().is_none_or(|own| !own.is_empty()) {
+                    extent[0] = [extent[0][0].min(i), extent[0][1].max(i + 1)];
+                    extent[1] = [extent[1][0].min(j), extent[1][1].max(j + 1)];
+                }
                 hidden.push(own);
                 continue;
             }
@@ -245,6 +249,9 @@ fn made(at: &Box3, shares: &[Vec<f32>], usual: Column, extent: [[usize; 2]; 2]) 
     let mut height = at.faces[2][0];
     for (material, thickness) in usual {
         height += thickness;
+        // A sum of thicknesses that ends at a plane of the mesh, but for rounding.
+        let plane = at.faces[2][near(&at.faces[2], height)];
+        height = if (plane - height).abs() < 1e-6 * thickness { plane } else { height };
         layers.insert(0, (material, height));
     }
     let part = |axis: usize| {

@@ -25,7 +25,14 @@ fn is_symmetric(mesh: &Eulerian, held: &Held, bodies: &[Body], axis: usize, side
     };
     let [first, second] = [(axis + 1) % 3, (axis + 2) % 3];
     let own = held[axis][side];
-    own[axis] && !own[first] && !own[second] && !bodies.is_empty() && bodies.iter().all(is_cut)
+    // Across a single cell every node of a face lies on an edge, and is held with the sides of the slab.
+    let is_smooth = |other: usize| !own[other] || is_thin(mesh, held, other);
+    own[axis] && is_smooth(first) && is_smooth(second) && !bodies.is_empty() && bodies.iter().all(is_cut)
+}
+
+/// Whether the mesh is one cell wide along an axis, between two smooth walls.
+fn is_thin(mesh: &Eulerian, held: &Held, axis: usize) -> bool {
+    mesh.faces[axis].len() == 2 && held[axis].iter().all(|side| side[axis])
 }
 
 /// How far a body is prescribed to go along an axis of the deck, in any unit: for comparison.
@@ -50,10 +57,7 @@ pub(super) fn setup(
     for (turns, frame) in Frame::upright(up).into_iter().enumerate() {
         let (along, across) = (frame.axes[0], frame.axes[1]);
         let low = |axis: (usize, bool)| usize::from(!axis.1);
-        let plane_strain = |axis: (usize, bool)| {
-            let sides = held[axis.0];
-            mesh.faces[axis.0].len() == 2 && sides[0][axis.0] && sides[1][axis.0]
-        };
+        let plane_strain = |axis: (usize, bool)| is_thin(mesh, held, axis.0);
         let symmetric = [across, along]
             .map(|axis| !plane_strain(axis) && is_symmetric(mesh, held, bodies, axis.0, low(axis)));
         let is_plane_strain = plane_strain(across);
