@@ -58,7 +58,8 @@ fn along([from, to]: [[f64; 3]; 2], share: f64) -> [f64; 3] {
     [0, 1, 2].map(|axis| from[axis] + (to[axis] - from[axis]) * share)
 }
 
-/// Nodes between those of two sets: the sets, number of intervals, step of the label. `BIAS` is the ratio of neighbouring intervals.
+/// Nodes between those of two sets: the sets, number of intervals, step of the label. `BIAS` is the
+/// ratio of neighbouring intervals.
 fn fill(state: &mut State, block: &Block) -> Read {
     let bias = match block.value("BIAS") {
         None => 1.0,
@@ -78,7 +79,8 @@ fn fill(state: &mut State, block: &Block) -> Read {
             return Err(Wrong::at(row.place, "the two sets have different numbers of nodes"));
         }
         state.grow(from.len().saturating_mul(pieces as usize))?;
-        // Interval n has bias^-n of the first, so that they shrink towards the second set with a bias above 1.
+        // Interval n has bias^-n of the first, so that they shrink towards the second set with a
+        // bias above 1.
         let widths: Vec<f64> = (0..pieces).map(|n| bias.powf(-f64::from(n))).collect();
         let total: f64 = widths.iter().sum();
         for (a, b) in from.iter().zip(&to) {
@@ -104,7 +106,8 @@ fn fill(state: &mut State, block: &Block) -> Read {
     Ok(Verdict::Settled("nodes"))
 }
 
-/// Copies of an element in up to three directions: the element, and for each direction number, step of nodes, step of elements.
+/// Copies of an element in up to three directions: the element, and for each direction number, step of
+/// nodes, step of elements.
 fn elements(state: &mut State, block: &Block) -> Read {
     let set = block.word("ELSET");
     for row in &block.rows {

@@ -1,11 +1,13 @@
 //! Input decks of Abaqus: lines, keyword blocks, a model, and a ledger in which every block is accounted for.
 //!
 //! [`read`] opens a deck and what it includes, [`read_with`] takes the files from elsewhere. Neither fails:
-//! what cannot be read is [refused](ledger::Outcome::Refused) in the [`Ledger`], with file and line. A deck has no
+//! what cannot be read is [refused](ledger::Outcome::Refused) in the [`Ledger`], with file and line. A
+//! deck has no
 //! units; whoever uses the model must know them.
 //!
 //! ```
-//! let deck = deck::read_with("*Heading\nA pipe\n*Node\n1, 0., 0., 0.5\n", "pipe.inp", |_| Err("none".into()));
+//! let deck = deck::read_with("*Heading\nA pipe\n*Node\n1, 0., 0., 0.5\n", "pipe.inp", |_|
+//! Err("none".into()));
 //! assert_eq!(deck.title, "A pipe");
 //! assert_eq!(deck.regions[0].nodes[&1], [0.0, 0.0, 0.5]);
 //! ```

@@ -37,7 +37,8 @@ struct Facts<'a> {
 }
 
 impl Facts<'_> {
-    /// By what masses and loads of the deck are multiplied: halves and quarters are wholes in a case, and plane strain counts a metre.
+    /// By what masses and loads of the deck are multiplied: halves and quarters are wholes in a
+    /// case, and plane strain counts a metre.
     fn share(&self) -> f64 {
         let halves = self.setup.symmetric.iter().filter(|is| **is).count() as i32;
         let axis = self.setup.frame.axes[1].0;
@@ -253,6 +254,13 @@ fn soils(notes: &mut Notes, text: &mut CaseText, facts: &Facts, at: &Box3, groun
         keys.into_iter().for_each(|(key, value, block)| text.set(&section, key, value, &notes.origin(block)));
     }
     unused(notes);
+    ground_keys(notes, text, facts, ground, &rest);
+    is_sound.then_some(())
+}
+
+/// Where the ground is, and what presses on it.
+fn ground_keys(notes: &Notes, text: &mut CaseText, facts: &Facts, ground: &Ground, rest: &rest::Rest) {
+    let length = facts.units.length;
     let origin = notes.origin(ground.block);
     text.set("ground", "surface", quantity(ground.surface * length, "m"), &origin);
     for (key, extent) in ["x", "y"].into_iter().zip(ground.extent) {
@@ -268,7 +276,6 @@ fn soils(notes: &mut Notes, text: &mut CaseText, facts: &Facts, at: &Box3, groun
             &notes.origin(block),
         );
     }
-    is_sound.then_some(())
 }
 
 /// Materials that no soil has.
@@ -479,6 +486,18 @@ fn stage(facts: &Facts, notes: &Notes, step: usize) -> String {
     if is_twice { format!("{name}-{}", step + 1) } else { name }
 }
 
+/// The weight that gravity gives a body in the case and not in the deck [N].
+fn extra_weight(notes: &Notes, facts: &Facts, number: usize) -> f64 {
+    let (deck, body) = (notes.deck, &facts.bodies[number]);
+    let is_pulled = facts.gravity.pulled.as_ref().is_none_or(|pulled| {
+        pulled.iter().any(|id| {
+            body.elements.contains(id) || deck.element(*id).is_some_and(|e| e.nodes == [body.reference])
+        })
+    });
+    let mass = facts.inertias[number].mass.map_or(0.0, |(mass, _)| mass * facts.units.mass * facts.share());
+    if is_pulled { 0.0 } else { mass * facts.gravity.size * facts.units.acceleration() }
+}
+
 /// The motions of a body that begin or change in a step.
 fn step_motions(
     notes: &mut Notes,
@@ -491,13 +510,7 @@ fn step_motions(
     let begin = deck.steps[..step].iter().map(|step| step.duration).sum();
     let span = Span { begin, duration: deck.steps[step].duration, goes_on: step + 1 < facts.moves.len() };
     let stage = stage(facts, notes, step);
-    let is_pulled = facts.gravity.pulled.as_ref().is_none_or(|pulled| {
-        pulled.iter().any(|id| {
-            body.elements.contains(id) || deck.element(*id).is_some_and(|e| e.nodes == [body.reference])
-        })
-    });
-    let mass = facts.inertias[number].mass.map_or(0.0, |(mass, _)| mass * facts.units.mass * facts.share());
-    let extra_weight = if is_pulled { 0.0 } else { mass * facts.gravity.size * facts.units.acceleration() };
+    let extra_weight = extra_weight(notes, facts, number);
     let table = format!("{}-{stage}", body.name);
     let mover = Mover {
         units: &facts.units,

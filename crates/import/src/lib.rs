@@ -1,7 +1,9 @@
-//! From an input deck of Abaqus to a case: the text of the case, the files that it names, and an account of every
+//! From an input deck of Abaqus to a case: the text of the case, the files that it names, and an
+//! account of every
 //! keyword of the deck.
 //!
-//! [`import`] touches no file. What a case cannot represent is refused with line and reason; what it represents
+//! [`import`] touches no file. What a case cannot represent is refused with line and reason; what it
+//! represents
 //! by something else is said, and so is what is left out.
 
 mod amplitude;

@@ -123,7 +123,8 @@ fn mohr_coulomb(
     if friction == 0.0 {
         return tresca(notes, (block, dilation), hardening.block, &cohesions, units);
     }
-    // What the soil has lost or won after large strains: it flows through far larger ones than those of the table.
+    // What the soil has lost or won after large strains: it flows through far larger ones than those
+    // of the table.
     if first == last {
         notes.understood(hardening.block, "cohesion");
     } else {
@@ -257,7 +258,8 @@ fn von_mises(notes: &mut Notes, table: &Property, setting: &Setting) -> Option<V
     ])
 }
 
-/// Matched with Mohr–Coulomb: in plane strain without dilation, tan β = √3 sin φ, d = √3 c cos φ; otherwise in
+/// Matched with Mohr–Coulomb: in plane strain without dilation, tan β = √3 sin φ, d = √3 c cos φ;
+/// otherwise in
 /// triaxial compression, tan β = 6 sin φ/(3 − sin φ), d = 6 c cos φ/(3 − sin φ) (Abaqus Theory Manual 4.4.4;
 /// Chen and Han, Plasticity for Structural Engineers, 1988).
 fn drucker_prager(

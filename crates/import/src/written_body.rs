@@ -70,19 +70,24 @@ pub(super) fn shape(
             (reference, Some((name, stl::bytes(&moved))))
         }
     };
-    let symmetric = place.setup.symmetric;
+    position(text, &section, at, place);
+    file
+}
+
+/// Where a body is at the start.
+fn position(text: &mut CaseText, section: &str, at: [f64; 3], place: &Place) {
+    let (symmetric, in_plane_strain) = (place.setup.symmetric, place.setup.is_plane_strain);
     for (axis, key, is_left_out) in [(0, "x", symmetric[1]), (1, "y", symmetric[0] || in_plane_strain)] {
         if !is_left_out {
-            text.set(&section, key, quantity(at[axis], "m"), "");
+            text.set(section, key, quantity(at[axis], "m"), "");
         }
     }
     text.set(
-        &section,
+        section,
         "elevation",
         quantity(at[2] - place.surface, "m"),
         "height of its reference point over the soil",
     );
-    file
 }
 
 fn scaled(point: [f64; 3], length: f64) -> [f64; 3] {
