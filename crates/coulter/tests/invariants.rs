@@ -134,9 +134,20 @@ fn one_file_starts_threads_and_few_are_unsafe() {
             offenders(name, &["unsafe"], |path| threads(path) || name == "solver" && path == "halo/mpi.rs");
         assert!(found.is_empty(), "{found:#?}");
     }
-    for name in
-        ["deck", "input", "case", "results", "report", "coulter", "studies", "verification", "fmu", "import", "cli", "python"]
-    {
+    for name in [
+        "deck",
+        "input",
+        "case",
+        "results",
+        "report",
+        "coulter",
+        "studies",
+        "verification",
+        "fmu",
+        "import",
+        "cli",
+        "python",
+    ] {
         let may = |path: &str| match name {
             "coulter" => path == "session.rs",
             "studies" => path == "sweep/pool.rs",
@@ -208,7 +219,9 @@ const LOOKS: [&str; 6] = ["File::open", "fs::read", "read_dir", "fs::metadata", 
 #[test]
 fn one_place_opens_what_is_in_a_folder() {
     let here = |path: &str| path.starts_with("files/inside/");
-    for name in ["deck", "input", "case", "results", "report", "coulter", "studies", "import", "cli", "python"] {
+    for name in
+        ["deck", "input", "case", "results", "report", "coulter", "studies", "import", "cli", "python"]
+    {
         // `new` and `import` write the files that their user names.
         let may = |path: &str| {
             name == "results" && here(path) || name == "cli" && ["import.rs", "new.rs"].contains(&path)
