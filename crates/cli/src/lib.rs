@@ -13,6 +13,7 @@ mod element;
 mod export_fmu;
 mod failure;
 mod forecast;
+mod import;
 mod manual;
 mod new;
 mod pressure;
@@ -55,6 +56,8 @@ struct Arguments {
 enum Command {
     /// Writes a commented case file to start from
     New(new::Arguments),
+    /// Writes a case from an input deck of Abaqus, with a report of what became of every keyword
+    Import(import::Arguments),
     /// Shows how a case is understood and what it will cost; runs nothing
     Check(check::Arguments),
     /// Tests the soil of a case as in the laboratory: triaxial, oedometer, isotropic compression, simple
@@ -137,6 +140,7 @@ fn execute(program: &Path, arguments: &Arguments) -> u8 {
     signals::ignore_file_size_signal();
     let outcome = match &arguments.command {
         Command::New(arguments) => new::new(arguments),
+        Command::Import(arguments) => import::run(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Element(arguments) => element::element(arguments),
         Command::Forecast(arguments) => forecast::forecast(arguments),

@@ -71,7 +71,7 @@ fn dependencies(name: &str) -> Vec<String> {
 }
 
 /// Every crate of the workspace, those below first, with those that it may depend on.
-const ARROWS: [(&str, &[&str]); 17] = [
+const ARROWS: [(&str, &[&str]); 19] = [
     ("machine", &[]),
     ("numerics", &[]),
     ("geometry", &[]),
@@ -79,6 +79,7 @@ const ARROWS: [(&str, &[&str]); 17] = [
     ("mechanics", &["numerics"]),
     ("solver", &["geometry", "physics", "mechanics"]),
     ("analytic", &["numerics"]),
+    ("deck", &[]),
     ("input", &["geometry", "mechanics"]),
     ("case", &["machine", "geometry", "physics", "mechanics", "solver", "analytic", "input"]),
     ("results", &["geometry", "physics", "mechanics", "solver", "analytic", "input", "case"]),
@@ -90,7 +91,8 @@ const ARROWS: [(&str, &[&str]); 17] = [
     ("studies", &["numerics", "analytic", "coulter"]),
     ("verification", &["geometry", "physics", "mechanics", "solver", "analytic", "coulter"]),
     ("fmu", &["coulter"]),
-    ("cli", &["solver", "analytic", "coulter", "studies", "verification", "fmu"]),
+    ("import", &["deck", "coulter"]),
+    ("cli", &["solver", "analytic", "deck", "coulter", "studies", "verification", "fmu", "import"]),
     ("python", &["analytic", "coulter", "studies", "cli"]),
 ];
 
@@ -132,9 +134,20 @@ fn one_file_starts_threads_and_few_are_unsafe() {
             offenders(name, &["unsafe"], |path| threads(path) || name == "solver" && path == "halo/mpi.rs");
         assert!(found.is_empty(), "{found:#?}");
     }
-    for name in
-        ["input", "case", "results", "report", "coulter", "studies", "verification", "fmu", "cli", "python"]
-    {
+    for name in [
+        "deck",
+        "input",
+        "case",
+        "results",
+        "report",
+        "coulter",
+        "studies",
+        "verification",
+        "fmu",
+        "import",
+        "cli",
+        "python",
+    ] {
         let may = |path: &str| match name {
             "coulter" => path == "session.rs",
             "studies" => path == "sweep/pool.rs",
@@ -153,7 +166,9 @@ fn one_file_starts_threads_and_few_are_unsafe() {
 #[test]
 fn above_the_solver_few_touch_files_and_fewer_print() {
     // `repeat` removes its checkpoint; `signals` reads what the system ignores.
-    let may_touch: [(&str, &[&str]); 11] = [
+    let may_touch: [(&str, &[&str]); 13] = [
+        ("deck", &["folder.rs"]),
+        ("import", &[]),
         ("input", &["data_file.rs", "motion_table.rs", "mesh_file/mod.rs", "height_file/tests.rs"]),
         ("machine", &["cores.rs", "memory.rs"]),
         ("case", &["documentation.rs", "load.rs"]),
@@ -164,7 +179,7 @@ fn above_the_solver_few_touch_files_and_fewer_print() {
         ("studies", &["files.rs"]),
         ("verification", &["cache.rs", "document.rs", "repeat.rs"]),
         ("fmu", &["package.rs"]),
-        ("cli", &["new.rs", "signals.rs"]),
+        ("cli", &["import.rs", "new.rs", "signals.rs"]),
         ("python", &[]),
     ];
     for (name, places) in may_touch {
@@ -173,7 +188,9 @@ fn above_the_solver_few_touch_files_and_fewer_print() {
     }
     let found = offenders("results", &PRINTING[..5], |path| path == "progress.rs");
     assert!(found.is_empty(), "{found:#?}");
-    for name in ["input", "case", "report", "coulter", "studies", "verification", "fmu", "python"] {
+    for name in
+        ["deck", "input", "case", "report", "coulter", "studies", "verification", "fmu", "import", "python"]
+    {
         let found = offenders(name, &PRINTING[..5], nobody);
         assert!(found.is_empty(), "{found:#?}");
     }
@@ -202,9 +219,13 @@ const LOOKS: [&str; 6] = ["File::open", "fs::read", "read_dir", "fs::metadata", 
 #[test]
 fn one_place_opens_what_is_in_a_folder() {
     let here = |path: &str| path.starts_with("files/inside/");
-    for name in ["input", "case", "results", "report", "coulter", "studies", "cli", "python"] {
-        // `new` writes the file that its user names.
-        let may = |path: &str| name == "results" && here(path) || name == "cli" && path == "new.rs";
+    for name in
+        ["deck", "input", "case", "results", "report", "coulter", "studies", "import", "cli", "python"]
+    {
+        // `new` and `import` write the files that their user names.
+        let may = |path: &str| {
+            name == "results" && here(path) || name == "cli" && ["import.rs", "new.rs"].contains(&path)
+        };
         let found = used_by(name, &CHANGES, may);
         assert!(found.is_empty(), "{found:#?}");
     }

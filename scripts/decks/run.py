@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Runs the ten decks of crates/import/decks, from import to report, and prints force, closed form, grade and time.
+
+usage: scripts/decks/run.py COULTER [NAME ...]
+
+The force is the last filtered one; the closed form that of `coulter forecast` at the depth where the run ends.
+"""
+
+import csv
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+DECKS = Path(__file__).resolve().parents[2] / "crates" / "import" / "decks"
+# Model of the forecast, and the column of the force. The others have no closed form.
+MODELS = {"plate": "bearing capacity", "plough": "PW plane strain", "anchor": "uplift", "spudcan": "cone or pile",
+          "pile": "cone or pile", "cone": "cone or pile"}
+
+
+def closed_form(coulter, case, name):
+    if name not in MODELS:
+        return None
+    text = subprocess.run([coulter, "forecast", str(case)], capture_output=True, text=True, check=True).stdout
+    row = next(line for line in text.splitlines() if line.startswith(MODELS[name]))
+    numbers = [float(word) for word in re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?", row[len(MODELS[name]):])]
+    return numbers[0] if name == "plough" else numbers[1]
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    coulter = str(Path(sys.argv[1]).resolve())
+    names = sys.argv[2:] or sorted(path.stem for path in DECKS.glob("*.inp"))
+    print("| deck | force [N] | closed form [N] | difference | grade | time [s] |\n|---|--:|--:|--:|---|--:|")
+    for name in names:
+        with tempfile.TemporaryDirectory() as folder:
+            case, results = Path(folder) / f"{name}.toml", Path(folder) / "results"
+            began = time.monotonic()
+            subprocess.run([coulter, "import", str(DECKS / f"{name}.inp"), "-o", str(case)], capture_output=True, check=True)
+            run = subprocess.run([coulter, "run", str(case), "-o", str(results)], capture_output=True, text=True)
+            seconds = time.monotonic() - began
+            summary = json.loads((results / "summary.json").read_text()) if (results / "summary.json").is_file() else {}
+            grade = summary.get("trust", {}).get("verdict", run.stderr.strip()[:60] or "none")
+            force, ratio = "–", "–"
+            expected = closed_form(coulter, case, name)
+            if summary.get("bodies"):
+                rows = list(csv.DictReader((results / "filtered.csv").open()))
+                column = "vertical F_V [N]" if name not in ("plough", "wheel", "disc", "pipe") else "drag F_H [N]"
+                force = float(rows[-1][column])
+                ratio = f"{100 * (force / expected - 1):+.1f} %" if expected else "–"
+                force = f"{force:.5g}"
+            print(f"| {name} | {force} | {f'{expected:.5g}' if expected else '–'} | {ratio} | {grade} | {seconds:.0f} |", flush=True)
+
+
+main()
