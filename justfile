@@ -32,7 +32,7 @@ book *options:
 map *crates:
     @python3 scripts/book/map.py {{ crates }}
 
-# Feeds a reader with garbage: case, study, table, mesh, heights, checkpoint, results; `just fuzz` names them
+# Feeds a reader with garbage: case, study, table, mesh, heights, checkpoint, results, deck; `just fuzz` names them
 fuzz target="" *options:
     scripts/fuzz {{ target }} {{ options }}
 

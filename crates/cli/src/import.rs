@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 pub(super) struct Arguments {
     /// The input deck (.inp); files that it includes lie in its folder or below
     deck: PathBuf,
-    /// Where to write: a folder, or the case file, beside which everything else is written [default: a
-    /// folder with the name of the deck, in the current one]
+    /// Where to write: a folder, or the case file, beside which everything else is written [default: a folder
+    /// with the name of the deck, in the current one]
     #[arg(short, long)]
     output: Option<PathBuf>,
     /// Units of length, mass and time in the deck, such as mm-t-s or m-kg-s [default: those in which its

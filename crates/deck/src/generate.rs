@@ -58,8 +58,8 @@ fn along([from, to]: [[f64; 3]; 2], share: f64) -> [f64; 3] {
     [0, 1, 2].map(|axis| from[axis] + (to[axis] - from[axis]) * share)
 }
 
-/// Nodes between those of two sets: the sets, number of intervals, step of the label. `BIAS` is the
-/// ratio of neighbouring intervals.
+/// Nodes between those of two sets: the sets, number of intervals, step of the label. `BIAS` is the ratio of
+/// neighbouring intervals.
 fn fill(state: &mut State, block: &Block) -> Read {
     let bias = match block.value("BIAS") {
         None => 1.0,
@@ -106,8 +106,8 @@ fn fill(state: &mut State, block: &Block) -> Read {
     Ok(Verdict::Settled("nodes"))
 }
 
-/// Copies of an element in up to three directions: the element, and for each direction number, step of
-/// nodes, step of elements.
+/// Copies of an element in up to three directions: the element, and for each direction number, step of nodes,
+/// step of elements.
 fn elements(state: &mut State, block: &Block) -> Read {
     let set = block.word("ELSET");
     for row in &block.rows {

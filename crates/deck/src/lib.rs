@@ -1,9 +1,8 @@
 //! Input decks of Abaqus: lines, keyword blocks, a model, and a ledger in which every block is accounted for.
 //!
 //! [`read`] opens a deck and what it includes, [`read_with`] takes the files from elsewhere. Neither fails:
-//! what cannot be read is [refused](ledger::Outcome::Refused) in the [`Ledger`], with file and line. A
-//! deck has no
-//! units; whoever uses the model must know them.
+//! what cannot be read is [refused](ledger::Outcome::Refused) in the [`Ledger`], with file and line. A deck
+//! has no units; whoever uses the model must know them.
 //!
 //! ```
 //! let deck = deck::read_with("*Heading\nA pipe\n*Node\n1, 0., 0., 0.5\n", "pipe.inp", |_|

@@ -209,8 +209,8 @@ pub struct Deck {
     pub pairings: Vec<Pairing>,
     /// Tables of connector behaviours, by the name of the behaviour.
     pub behaviours: HashMap<String, Vec<usize>>,
-    /// Blocks that the reader knows nothing of, and output requests: whoever uses the deck must say
-    /// what becomes of them.
+    /// Blocks that the reader knows nothing of, and output requests: whoever uses the deck must say what
+    /// becomes of them.
     pub others: Vec<usize>,
 }
 

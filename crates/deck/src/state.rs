@@ -53,8 +53,8 @@ impl State {
         }
     }
 
-    /// Number of the region that is open; that of a part is known only when it is instanced, and 0
-    /// until then.
+    /// Number of the region that is open; that of a part is known only when it is instanced, and 0 until
+    /// then.
     pub(super) fn number(&self) -> usize {
         if self.part.is_none() && self.instance.is_some() { self.deck.regions.len() } else { 0 }
     }

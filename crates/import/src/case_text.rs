@@ -45,10 +45,12 @@ impl CaseText {
     }
 }
 
-/// A number with at most ten digits, as it would be written by hand.
+/// A number with at most ten digits, as it would be written by hand. What is smaller than any length, time or
+/// stress of soil, in SI units, is what sums of other numbers left of nothing.
 pub(super) fn digits(value: f64) -> String {
+    const NOTHING: f64 = 1e-12;
     let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
-    format!("{}", if rounded == 0.0 { 0.0 } else { rounded })
+    format!("{}", if rounded.abs() < NOTHING { 0.0 } else { rounded })
 }
 
 /// A quantity: `"0.2 m"`.

@@ -1,5 +1,5 @@
-//! Open surfaces of rigid bodies made closed and turned outwards: halves mirrored, openings closed by
-//! flat faces.
+//! Open surfaces of rigid bodies made closed and turned outwards: halves mirrored, openings closed by flat
+//! faces.
 
 use crate::hull::Hull;
 use std::collections::HashMap;

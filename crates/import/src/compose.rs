@@ -37,8 +37,8 @@ struct Facts<'a> {
 }
 
 impl Facts<'_> {
-    /// By what masses and loads of the deck are multiplied: halves and quarters are wholes in a
-    /// case, and plane strain counts a metre.
+    /// By what masses and loads of the deck are multiplied: halves and quarters are wholes in a case, and
+    /// plane strain counts a metre.
     fn share(&self) -> f64 {
         let halves = self.setup.symmetric.iter().filter(|is| **is).count() as i32;
         let axis = self.setup.frame.axes[1].0;
@@ -67,6 +67,14 @@ pub fn import(deck: &Deck, units: Option<&Units>, name: &str) -> Result<Imported
     parameters::parameters(&mut notes);
     let asked = others::others(&mut notes);
     let written = write(&mut notes, units, name, &asked);
+    if written.is_none() {
+        // Keywords that the reader knows are no mistakes of the deck.
+        for block in (0..deck.blocks.len()).filter(|block| !deck.others.contains(block)) {
+            if !notes.ledger.has(block) {
+                notes.ledger.enter(block, Outcome::Ignored("not looked at, for what is refused".to_owned()));
+            }
+        }
+    }
     let entries = notes.ledger.close(&deck.blocks);
     let is_refused = entries.iter().any(|entry| matches!(entry.outcome, Outcome::Refused(_)));
     let (Some(written), false, true) = (written, is_refused, notes.missing.is_empty()) else {

@@ -1,10 +1,8 @@
-//! From an input deck of Abaqus to a case: the text of the case, the files that it names, and an
-//! account of every
-//! keyword of the deck.
+//! From an input deck of Abaqus to a case: the text of the case, the files that it names, and an account of
+//! every keyword of the deck.
 //!
 //! [`import`] touches no file. What a case cannot represent is refused with line and reason; what it
-//! represents
-//! by something else is said, and so is what is left out.
+//! represents by something else is said, and so is what is left out.
 
 mod amplitude;
 mod bodies;

@@ -17,7 +17,10 @@ pub(super) struct Asked {
 /// Keywords that mean what a case does anyway.
 const USUAL: [(&str, &str); 13] = [
     ("CONTACT", "soil meets every body"),
-    ("CONTACT INCLUSIONS", "soil meets every body; bodies must not meet one another"),
+    (
+        "CONTACT INCLUSIONS",
+        "soil meets every body; bodies meet one another only by joints of kind contact, to be added",
+    ),
     ("SURFACE BEHAVIOR", "surfaces do not enter one another"),
     ("NODE OUTPUT", "forces.csv: RF (with the other sign), U, V, VR of every body, always"),
     ("ELEMENT OUTPUT", "soil.pvd: EVF, S, PEEQ, density, always"),

@@ -1,5 +1,5 @@
-//! The stress at the start: what of it a case has as K₀ and overburden, and whether the rest follows
-//! from weight.
+//! The stress at the start: what of it a case has as K₀ and overburden, and whether the rest follows from
+//! weight.
 
 use crate::eulerian::Eulerian;
 use crate::fill::{Box3, Ground};

@@ -258,10 +258,9 @@ fn von_mises(notes: &mut Notes, table: &Property, setting: &Setting) -> Option<V
     ])
 }
 
-/// Matched with Mohr–Coulomb: in plane strain without dilation, tan β = √3 sin φ, d = √3 c cos φ;
-/// otherwise in
-/// triaxial compression, tan β = 6 sin φ/(3 − sin φ), d = 6 c cos φ/(3 − sin φ) (Abaqus Theory Manual 4.4.4;
-/// Chen and Han, Plasticity for Structural Engineers, 1988).
+/// Matched with Mohr–Coulomb: in plane strain without dilation, tan β = √3 sin φ, d = √3 c cos φ; otherwise
+/// in triaxial compression, tan β = 6 sin φ/(3 − sin φ), d = 6 c cos φ/(3 − sin φ) (Abaqus Theory Manual
+/// 4.4.4; Chen and Han, Plasticity for Structural Engineers, 1988).
 fn drucker_prager(
     notes: &mut Notes,
     material: &Material,

@@ -42,9 +42,8 @@ impl FromStr for Units {
 }
 
 impl Units {
-    /// Those in which the gravity of a deck is that of the Earth, within 3 %, and its soil weighs
-    /// between 200 and
-    /// 5000 kg/m³; `None` unless exactly one set of metric units does so.
+    /// Those in which the gravity of a deck is that of the Earth, within 3 %, and its soil weighs between 200
+    /// and 5000 kg/m³; `None` unless exactly one set of metric units does so.
     pub(super) fn inferred(gravity: f64, density: f64) -> Option<Self> {
         let mut found = Vec::new();
         for (length, metres) in &LENGTHS[..3] {

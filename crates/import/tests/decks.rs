@@ -126,3 +126,23 @@ fn column_in_centimetres_has_no_body() {
     );
     near(ends(&case, 0)[1], 0.4);
 }
+
+/// Whatever followed the fault was said to be unknown, too.
+#[test]
+fn a_misspelt_keyword_alone_is_named() {
+    let text = std::fs::read_to_string(path("plough")).unwrap().replacen("*Density", "*Densety", 1);
+    let deck = deck::read_with(&text, "plough.inp", |_| Err(String::new()));
+    let refused = import(&deck, None, "plough").unwrap_err();
+    let named: Vec<&str> = refused
+        .entries
+        .iter()
+        .filter(|entry| matches!(entry.outcome, Outcome::Refused(_)))
+        .map(|entry| entry.keyword.as_str())
+        .collect();
+    assert_eq!(named, ["DENSETY"], "{refused:?}");
+}
+
+#[test]
+fn sums_that_cancel_are_written_as_zero() {
+    assert!(!imported("plough").0.case.contains("0.0000000000"));
+}
