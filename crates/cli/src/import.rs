@@ -4,7 +4,7 @@ use crate::common::say;
 use crate::failure::Failure;
 use coulter::case::{Case, CaseError, Problem, load};
 use coulter_import::{Imported, Refused, Units};
-use deck::{Entry, Outcome};
+use deck::{Deck, Entry, Outcome};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     write_all(&case, &report, &imported, arguments.force)?;
     // What was written is read back before it counts as done.
     let read = load(&case, &[])?;
-    say(&summary(&imported, &read))?;
+    say(&summary(&deck, &imported, &read))?;
     let [case, report] = [case, report].map(|path| path.display().to_string());
     say(&format!("report   {report}\nwrote {case}; next: coulter check {case}\n"))
 }
@@ -98,7 +98,7 @@ fn error(name: &str, refused: &Refused) -> CaseError {
 }
 
 /// Counts, what is approximated and ignored, and how well the cells fit.
-fn summary(imported: &Imported, case: &Case) -> String {
+fn summary(deck: &Deck, imported: &Imported, case: &Case) -> String {
     let mut text = String::new();
     let count = |rank: u8| imported.entries.iter().filter(|entry| of(&entry.outcome) == rank).count();
     // Writing to a string cannot fail.
@@ -113,7 +113,8 @@ fn summary(imported: &Imported, case: &Case) -> String {
     for (rank, word) in [(2, "approximated"), (1, "ignored")] {
         for entry in imported.entries.iter().filter(|entry| of(&entry.outcome) == rank) {
             let keyword = entry.keyword.to_lowercase();
-            let _ = writeln!(text, "{word} line {}, *{keyword}: {}", entry.place.line, entry.outcome.text());
+            let place = deck.place(entry.place);
+            let _ = writeln!(text, "{word} {place} *{keyword}: {}", entry.outcome.text());
         }
     }
     let cells = case.grid.faces.each_ref().map(|faces| (faces.len() - 1).to_string()).join(" × ");
