@@ -8,7 +8,6 @@ The force is the last filtered one; the closed form that of `coulter forecast` a
 
 import csv
 import json
-import re
 import subprocess
 import sys
 import tempfile
@@ -16,18 +15,18 @@ import time
 from pathlib import Path
 
 DECKS = Path(__file__).resolve().parents[2] / "crates" / "import" / "decks"
-# Model of the forecast, and the column of the force. The others have no closed form.
+# Model of the forecast. The others have no closed form.
 MODELS = {"plate": "bearing capacity", "plough": "PW plane strain", "anchor": "uplift", "spudcan": "cone or pile",
           "pile": "cone or pile", "cone": "cone or pile"}
+TOWED = {"plough", "wheel", "disc", "pipe"}
 
 
 def closed_form(coulter, case, name):
     if name not in MODELS:
         return None
-    text = subprocess.run([coulter, "forecast", str(case)], capture_output=True, text=True, check=True).stdout
-    row = next(line for line in text.splitlines() if line.startswith(MODELS[name]))
-    numbers = [float(word) for word in re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?", row[len(MODELS[name]):])]
-    return numbers[0] if name == "plough" else numbers[1]
+    printed = subprocess.run([coulter, "forecast", "--json", str(case)], capture_output=True, text=True, check=True).stdout
+    model = next(model for model in json.loads(printed)["models"] if model["name"] == MODELS[name])
+    return model["drag_N" if name in TOWED else "vertical_N"]
 
 
 def main():
@@ -49,7 +48,7 @@ def main():
             expected = closed_form(coulter, case, name)
             if summary.get("bodies"):
                 rows = list(csv.DictReader((results / "filtered.csv").open()))
-                column = "vertical F_V [N]" if name not in ("plough", "wheel", "disc", "pipe") else "drag F_H [N]"
+                column = "drag F_H [N]" if name in TOWED else "vertical F_V [N]"
                 force = float(rows[-1][column])
                 ratio = f"{100 * (force / expected - 1):+.1f} %" if expected else "–"
                 force = f"{force:.5g}"

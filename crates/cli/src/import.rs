@@ -100,7 +100,7 @@ fn error(name: &str, refused: &Refused) -> CaseError {
 /// Counts, what is approximated and ignored, and how well the cells fit.
 fn summary(deck: &Deck, imported: &Imported, case: &Case) -> String {
     let mut text = String::new();
-    let count = |rank: u8| imported.entries.iter().filter(|entry| of(&entry.outcome) == rank).count();
+    let count = |rank: u8| imported.entries.iter().filter(|entry| entry.outcome.rank() == rank).count();
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
@@ -111,7 +111,7 @@ fn summary(deck: &Deck, imported: &Imported, case: &Case) -> String {
         count(1)
     );
     for (rank, word) in [(2, "approximated"), (1, "ignored")] {
-        for entry in imported.entries.iter().filter(|entry| of(&entry.outcome) == rank) {
+        for entry in imported.entries.iter().filter(|entry| entry.outcome.rank() == rank) {
             let keyword = entry.keyword.to_lowercase();
             let place = deck.place(entry.place);
             let _ = writeln!(text, "{word} {place} *{keyword}: {}", entry.outcome.text());
@@ -121,13 +121,4 @@ fn summary(deck: &Deck, imported: &Imported, case: &Case) -> String {
     let _ =
         writeln!(text, "cells    {cells}, of the deck {}", imported.cells.map(|n| n.to_string()).join(" × "));
     text
-}
-
-fn of(outcome: &Outcome) -> u8 {
-    match outcome {
-        Outcome::Understood(_) => 0,
-        Outcome::Ignored(_) => 1,
-        Outcome::Approximated(_) => 2,
-        Outcome::Refused(_) => 3,
-    }
 }

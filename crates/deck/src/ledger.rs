@@ -28,7 +28,8 @@ impl Outcome {
         }
     }
 
-    fn rank(&self) -> u8 {
+    /// How grave it is, from 0 for understood to 3 for refused.
+    pub fn rank(&self) -> u8 {
         match self {
             Self::Understood(_) => 0,
             Self::Ignored(_) => 1,

@@ -91,6 +91,7 @@ pub(super) fn plain(name: &str) -> String {
     let letters =
         name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' || c == '_' { c } else { '-' });
     let plain: String = letters.take(40).collect();
-    let is_taken = ["", "con", "prn", "aux", "nul", "ground", "duration", "until"].contains(&plain.as_str());
+    let is_taken =
+        ["", "con", "prn", "aux", "nul", "ground", "duration", "until", "steady"].contains(&plain.as_str());
     if is_taken { format!("body-{plain}") } else { plain }
 }

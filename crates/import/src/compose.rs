@@ -21,6 +21,7 @@ use crate::walls::Held;
 use crate::written_body::{self, Place};
 use crate::zones;
 use deck::{Deck, Outcome};
+use std::collections::HashSet;
 
 /// All that is known of a deck before the case is written.
 struct Facts<'a> {
@@ -69,7 +70,8 @@ pub fn import(deck: &Deck, units: Option<&Units>, name: &str) -> Result<Imported
     let written = write(&mut notes, units, name, &asked);
     if written.is_none() {
         // Keywords that the reader knows are no mistakes of the deck.
-        for block in (0..deck.blocks.len()).filter(|block| !deck.others.contains(block)) {
+        let unread: HashSet<usize> = deck.others.iter().copied().collect();
+        for block in (0..deck.blocks.len()).filter(|block| !unread.contains(block)) {
             if !notes.ledger.has(block) {
                 notes.ledger.enter(block, Outcome::Ignored("not looked at, for what is refused".to_owned()));
             }
@@ -446,8 +448,15 @@ fn friction(
     let strength = strength.and_then(|m| m.properties.get("MOHR COULOMB HARDENING")?.rows.first()?.first());
     match strength.filter(|strength| **strength > 0.0) {
         Some(strength) => {
-            text.set(&section, "adhesion_factor", digits((most / strength).clamp(0.0, 1.0)), &origin);
-            notes.understood(block, "largest shear stress, as a factor of the undrained strength");
+            text.set(&section, "adhesion_factor", digits((most / strength).min(1.0)), &origin);
+            notes.understood(
+                block,
+                if most > *strength {
+                    "the largest shear stress is more than the soil bears: its undrained strength limits it"
+                } else {
+                    "largest shear stress, as a factor of the undrained strength"
+                },
+            );
         }
         None => notes.approximated(
             block,
@@ -487,10 +496,9 @@ fn weight(notes: &mut Notes, text: &mut CaseText, facts: &Facts, number: usize) 
 }
 
 /// Name of a stage.
-fn stage(facts: &Facts, notes: &Notes, step: usize) -> String {
+fn stage(notes: &Notes, step: usize) -> String {
     let name = bodies::plain(&notes.deck.steps[step].name);
     let is_twice = notes.deck.steps.iter().filter(|other| bodies::plain(&other.name) == name).count() > 1;
-    let _ = facts;
     if is_twice { format!("{name}-{}", step + 1) } else { name }
 }
 
@@ -517,7 +525,7 @@ fn step_motions(
     let (deck, body) = (notes.deck, &facts.bodies[number]);
     let begin = deck.steps[..step].iter().map(|step| step.duration).sum();
     let span = Span { begin, duration: deck.steps[step].duration, goes_on: step + 1 < facts.moves.len() };
-    let stage = stage(facts, notes, step);
+    let stage = stage(notes, step);
     let extra_weight = extra_weight(notes, facts, number);
     let table = format!("{}-{stage}", body.name);
     let mover = Mover {
@@ -572,7 +580,7 @@ fn durations(notes: &mut Notes, text: &mut CaseText, facts: &Facts) {
         let section = if steps - facts.first == 1 {
             "run".to_owned()
         } else {
-            format!("stage.{}", stage(facts, notes, number))
+            format!("stage.{}", stage(notes, number))
         };
         text.set(&section, "duration", quantity(step.duration * facts.units.time, "s"), &origin);
     }

@@ -97,8 +97,8 @@ fn geostatic(notes: &mut Notes, site: &Site, block: usize, row: &Row, rest: &mut
             format!("the ground begins in equilibrium under its own weight {weight:.6e} per height; the deck states {slope:.6e}, and differs from that"),
         );
     } else if at_surface.abs() > 0.01 * scale && !is_layered {
-        let is_full = (site.ground.surface - site.at.faces[2].last().copied().unwrap_or(0.0)).abs()
-            < 1e-9 * scale.max(1.0);
+        let [low, high] = [0, site.at.faces[2].len() - 1].map(|n| site.at.faces[2][n]);
+        let is_full = (site.ground.surface - high).abs() < 1e-9 * (high - low);
         if at_surface < 0.0 && is_full {
             rest.overburden = Some((-at_surface, block));
         } else {

@@ -415,6 +415,22 @@ mod tests {
     }
 
     #[test]
+    fn an_obstacle_is_not_towed_and_soil_may_weigh_on_a_body() {
+        let (mut record, mut summary, mut history) = disc();
+        let alone = sentences(&record, &summary, &history)[0].clone();
+        let stone =
+            Reference { name: "stone".into(), kind: "sphere".into(), still: true, ..Reference::default() };
+        record.bodies.push(stone);
+        summary.bodies.insert("stone".to_owned(), summary.bodies["disc"].clone());
+        history.bodies.push(history.bodies[0].clone());
+        assert_eq!(sentences(&record, &summary, &history)[0], alone);
+        record.bodies[0].towed = false;
+        summary.bodies.get_mut("disc").unwrap().steady.vertical = Some(-100.0);
+        let what = &sentences(&record, &summary, &history)[0];
+        assert!(what.starts_with("The soil weighs on the disc with 100 N at the end"), "{what}");
+    }
+
+    #[test]
     fn intervals_become_plus_minus_and_lopsided_ones_ranges() {
         let (record, mut summary, history) = disc();
         let figure = |interval| ConfidenceInterval { interval, ..ConfidenceInterval::default() };

@@ -150,7 +150,7 @@ impl BodyChecks<'_> {
         if self.body.heaves_freely
             && self.has_touched()
             && !self.is_above_ground()
-            && !self.is_carried_high()
+            && !self.is_beside_one_that_sinks()
             && let (Some(sinkage), Some(height)) = (steady.sinkage, self.body.extent[2])
         {
             checks.push(self.check(&limits::RIDING_HEIGHT, (-100.0 * sinkage / height).max(0.0)));
@@ -168,22 +168,29 @@ impl BodyChecks<'_> {
         self.setting.heaped && self.samples.iter().all(|s| s.sinkage <= 0.0)
     }
 
-    /// Whether a joint carries the body clear of the soil in the window, as a spacer between discs: it bears
-    /// next to nothing beside another body.
+    /// Whether the body hangs clear of the soil in the window beside others of its gear, as a spacer between
+    /// discs: it bears next to nothing beside one of them.
     fn hangs_clear(&self, window: &SteadyWindow<'_>) -> bool {
         let mean = |samples: &[BodySample]| {
             samples.iter().map(BodySample::force).sum::<f64>() / samples.len().max(1) as f64
         };
         let of_body = |samples: &Vec<BodySample>| samples.get(window.range.clone()).map_or(0.0, mean);
-        let most = largest(self.history.bodies.iter().map(of_body));
-        self.body.carried && most >= self.setting.least_force() && mean(window.inside()) < CLEAR * most
+        let most = largest(self.others_of_gear().map(of_body));
+        most >= self.setting.least_force() && mean(window.inside()) < CLEAR * most
     }
 
-    /// Whether a joint carries the body beside others that sink into the ground: its height is theirs.
-    fn is_carried_high(&self) -> bool {
-        let sinks = |samples: &Vec<BodySample>| samples.last().is_some_and(|s| s.sinkage > 0.0);
-        let mut all = self.setting.bodies.iter().zip(&self.history.bodies);
-        self.body.carried && all.any(|(body, samples)| body.carried && sinks(samples))
+    /// Whether another body of the gear has sunk into the ground: the height of this one is its.
+    fn is_beside_one_that_sinks(&self) -> bool {
+        self.others_of_gear().any(|samples| samples.last().is_some_and(|s| s.sinkage > 0.0))
+    }
+
+    /// The samples of the other bodies of the gear that this one is part of.
+    fn others_of_gear(&self) -> impl Iterator<Item = &Vec<BodySample>> {
+        let bodies = self.setting.bodies.iter().zip(&self.history.bodies);
+        let is_of_gear = |body: &BodySetting| body.gear.is_some() && body.gear == self.body.gear;
+        bodies
+            .filter(move |(body, _)| is_of_gear(body) && body.name != self.body.name)
+            .map(|(_, samples)| samples)
     }
 
     /// Whether the body has been in the soil.

@@ -173,7 +173,7 @@ pub const CONTACT: Limit = Limit {
     good: 1.0,
     doubtful: NEVER,
     more_is_better: true,
-    meaning: "largest force on the body in the steady window over the weight of the soil in one cell and its cohesion over the cell's face; a body that a joint carries, and that bears less than a hundredth of what another body bears, has none of the checks of a body",
+    meaning: "largest force on the body in the steady window over the weight of the soil in one cell and its cohesion over the cell's face; a body that bears less than a hundredth of what another bears in the same gear, joined by hinges, balls or sliders, has none of the checks of a body",
     reason: "a body that bears less than one cell of soil has none to speak of, and what is said of its force is said of nothing",
     advice: "look where its motion leads: upwards, past the soil, or through a body thinner than a cell",
 };

@@ -79,8 +79,9 @@ pub struct BodySetting {
     pub turned_about: Option<usize>,
     /// Volume of the body [m³]; in plane strain that of a metre.
     pub volume: f64,
-    /// Whether a joint carries the body, which may hang clear of the soil.
-    pub carried: bool,
+    /// The body at the root of the joints that carry this one, by number; its own where none does. Bodies with
+    /// the same root are parts of one gear. `None` in results that do not say.
+    pub gear: Option<usize>,
 }
 
 impl Setting {
@@ -216,7 +217,17 @@ impl BodySetting {
             // A wheel that is driven may be steered as well.
             turned_about: [1, 2, 0].into_iter().find(is_turned),
             volume: if body.has_surface() { solid.mass_properties().volume * part_in_slab } else { 0.0 },
-            carried: case.joints.iter().any(|joint| joint.kind.carries() && joint.second == number),
+            gear: Some(root(case, number)),
         }
     }
+}
+
+/// The body at the root of the joints that carry a body.
+fn root(case: &Case, number: usize) -> usize {
+    let carrier = |n: &usize| {
+        let joint = case.joints.iter().find(|joint| joint.kind.carries() && joint.second == *n)?;
+        joint.first
+    };
+    // Joints that carry make no circle; a case made by hand may.
+    std::iter::successors(Some(number), carrier).take(case.bodies.len()).last().unwrap_or(number)
 }

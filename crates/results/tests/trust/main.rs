@@ -192,8 +192,8 @@ fn a_body_that_a_joint_carries_may_hang_clear_of_the_soil() {
     setting.bodies.push(spacer);
     history.bodies.push(samples);
     let references = [Reference::all(&case), Reference::all(&case)].concat();
-    let mut concerns = |carried: bool, disc_is_clear: bool| {
-        setting.bodies.iter_mut().for_each(|body| body.carried = carried);
+    let mut concerns = |gears: [usize; 2], disc_is_clear: bool| {
+        setting.bodies.iter_mut().zip(gears).for_each(|(body, gear)| body.gear = Some(gear));
         let mut history = history.clone();
         if disc_is_clear {
             history.bodies[0] = history.bodies[1].clone();
@@ -201,7 +201,7 @@ fn a_body_that_a_joint_carries_may_hang_clear_of_the_soil() {
         let trust = Trust::grade(&setting, &history, &references, 0.3, None);
         trust.concerns().iter().filter(|c| c.name == "contact").count()
     };
-    assert_eq!([concerns(false, false), concerns(true, false), concerns(true, true)], [1, 0, 2]);
+    assert_eq!([concerns([0, 1], false), concerns([0, 0], false), concerns([0, 0], true)], [1, 0, 2]);
 }
 
 /// A scoop that is lifted out with its load was said to have no cells over its sinkage.
