@@ -79,8 +79,8 @@ pub struct BodySetting {
     pub turned_about: Option<usize>,
     /// Volume of the body [m³]; in plane strain that of a metre.
     pub volume: f64,
-    /// The body at the root of the joints that carry this one, by number; its own where none does. Bodies with
-    /// the same root are parts of one gear. `None` in results that do not say.
+    /// The body at the root of the joints that carry this one, by number; its own where none does. Bodies
+    /// with the same root are parts of one gear. `None` in results that do not say.
     pub gear: Option<usize>,
 }
 
