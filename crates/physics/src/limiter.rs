@@ -1,6 +1,7 @@
 //! Slope limiter for second-order transport without new extrema.
 
 use super::Real;
+use super::select::min;
 
 /// Monotonised central slope (van Leer 1977) from the differences to the left and right neighbours, in their
 /// unit.
@@ -8,8 +9,8 @@ use super::Real;
 #[must_use]
 pub fn monotonised_central(left: Real, right: Real) -> Real {
     let central = 0.5 * (left + right);
-    let bound = 2.0 * left.abs().min(right.abs());
-    let size = central.abs().min(bound);
+    let bound = 2.0 * min(left.abs(), right.abs());
+    let size = min(central.abs(), bound);
     let limited = if central < 0.0 { -size } else { size };
     if left * right > 0.0 { limited } else { 0.0 }
 }

@@ -10,6 +10,7 @@
 use super::Real;
 use super::elastic::Elastic;
 use super::mohr_coulomb::MohrCoulomb;
+use super::select::max;
 use super::tensor::{Spectrum, Symmetric};
 use super::yield_law::{Point, Returned, YieldLaw};
 
@@ -159,7 +160,7 @@ impl MenetreyWillam {
     fn ellipse(&self, cos: Real, sin: Real) -> (Real, Real) {
         let [a, b] = self.ellipse;
         // 4(1 − e²) cos²Θ + 5e² − 4e, where 5e² − 4e = (2e − 1)² − (1 − e²).
-        let root = (4.0 * a * cos * cos + b * b - a).max(0.0).sqrt();
+        let root = max(4.0 * a * cos * cos + b * b - a, 0.0).sqrt();
         let numerator = 4.0 * a * cos * cos + b * b;
         let denominator = 2.0 * a * cos + b * root;
         let root_slope = if root > 0.0 { cos / root } else { 0.0 };
@@ -194,7 +195,7 @@ impl YieldLaw for MenetreyWillam {
         let (hexagon, _) = self.hexagon(lode.0, lode.1);
         let q = SQRT_1_5 * (x * x + y * y).sqrt();
         let strength = pressure * self.tan_friction + self.cohesion;
-        let scale = if hexagon * q > strength { (strength / (hexagon * q)).max(0.0) } else { 1.0 };
+        let scale = if hexagon * q > strength { max(strength / (hexagon * q), 0.0) } else { 1.0 };
         let value = self.surface.cut_off(spectrum.principal_at(-pressure, scale * x, scale * y));
         self.surface.returned(&spectrum, value)
     }

@@ -9,6 +9,7 @@
 
 use super::Real;
 use super::elastic::Elastic;
+use super::select::max;
 use super::tensor::{Spectrum, Symmetric, THIRD, contract, deviator, mean};
 use super::yield_law::{Memory, Point, Returned, YieldLaw};
 
@@ -153,7 +154,7 @@ impl MohrCoulomb {
         let new_mean = (value[0] + value[1] + value[2]) * THIRD;
         let (per_bulk, per_shear) = (1.0 / self.elastic.bulk, 0.5 / self.elastic.shear);
         let open = (value[0] >= self.tension_cutoff) & (value[2] >= self.tension_cutoff);
-        let gap_strain = if open { ((trial.mean - new_mean) * per_bulk).max(0.0) } else { 0.0 };
+        let gap_strain = if open { max((trial.mean - new_mean) * per_bulk, 0.0) } else { 0.0 };
         let mut square = 0.0;
         for n in 0..3 {
             let change = (trial.principal[n] - trial.mean) - (value[n] - new_mean);
@@ -191,7 +192,7 @@ impl MohrCoulomb {
         let [c1, c2, c3] = flow.correction;
         let (sp, sy) = (self.sin_friction, flow.sin_dilation);
         let fa = self.yield_function([s1, s2, s3]);
-        let g = fa.max(0.0) * flow.per_plane;
+        let g = max(fa, 0.0) * flow.per_plane;
         let plane = [s1 - c1 * g, s2 + c2 * g, s3 + c3 * g];
         let on_plane = (plane[0] >= plane[1]) & (plane[1] >= plane[2]);
 

@@ -18,6 +18,7 @@
 
 use super::Real;
 use super::elastic::{Elastic, Stiffening};
+use super::select::{clamp, max, min};
 use super::tensor::{Symmetric, contract, deviator, mean};
 use super::yield_law::{Memory, Point, Returned, YieldLaw};
 
@@ -339,23 +340,6 @@ fn logarithm(x: Real) -> Real {
     let t = (y - 1.0) / (y + 1.0);
     let z = t * t;
     LOG_MIDDLE + 4.0 * t * (1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0))))
-}
-
-// Comparisons, which become blends; the methods of floats treat what is not a number with care, and do not
-// vectorise.
-#[inline(always)]
-fn max(a: Real, b: Real) -> Real {
-    if a > b { a } else { b }
-}
-
-#[inline(always)]
-fn min(a: Real, b: Real) -> Real {
-    if a < b { a } else { b }
-}
-
-#[inline(always)]
-fn clamp(a: Real, low: Real, high: Real) -> Real {
-    min(max(a, low), high)
 }
 
 #[cfg(test)]

@@ -24,6 +24,8 @@ pub mod menetrey_willam;
 pub mod mohr_coulomb;
 #[path = "sand.rs"]
 pub mod sand;
+#[path = "select.rs"]
+pub(crate) mod select;
 #[path = "tensor.rs"]
 pub mod tensor;
 #[path = "viscosity.rs"]

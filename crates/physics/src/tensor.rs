@@ -1,5 +1,6 @@
 //! Symmetric second-order tensors as six numbers: xx, yy, zz, xy, yz, xz.
 
+use super::select::max;
 use super::{MERIDIAN, NO_STRESS, Real};
 
 /// A symmetric tensor: xx, yy, zz, xy, yz, xz.
@@ -94,7 +95,7 @@ pub struct Spectrum {
     pub hoop_principal: [Real; 3],
 }
 
-const SQRT_3: Real = 1.732_050_807_568_877_2;
+pub(crate) const SQRT_3: Real = 1.732_050_807_568_877_2;
 const SQRT_2_3: Real = 0.816_496_580_927_726;
 
 impl Spectrum {
@@ -121,7 +122,7 @@ impl Spectrum {
         let cross_norm = contract(cross, cross).sqrt();
         let cross_inverse = if cross_norm > MERIDIAN { -1.0 / cross_norm } else { 0.0 };
         let hoop = cross.map(|x| x * cross_inverse);
-        let (cos, sin) = cube_root(along, cross_norm);
+        let (cos, sin) = third_of_angle(along, cross_norm);
         let radial_principal = deviator_values(cos, sin);
         let hoop_principal = deviator_values(-sin, cos);
         let principal = radial_principal.map(|x| mean + norm * x);
@@ -167,12 +168,12 @@ impl Spectrum {
 
 /// Cosine and sine of θ in [0, 60°] from numbers in the ratio cos 3θ : sin 3θ (sine not negative).
 #[inline(always)]
-fn cube_root(cos3: Real, sin3: Real) -> (Real, Real) {
+pub(crate) fn third_of_angle(cos3: Real, sin3: Real) -> (Real, Real) {
     let size = (cos3 * cos3 + sin3 * sin3).sqrt();
     let scale = if size > 1e-12 { 1.0 / size } else { 0.0 };
     let (a, b) = if size > 1e-12 { (cos3 * scale, sin3 * scale) } else { (1.0, 0.0) };
     let mut c = 0.75 + 0.25 * a;
-    let mut s = (1.0 - c * c).max(0.0).sqrt();
+    let mut s = max(1.0 - c * c, 0.0).sqrt();
     // Newton for z³ = w on the unit circle, where 1/z² is the conjugate's square. An error e of the angle
     // becomes e³/3; the initial error is below 0.21, so the third step is exact to rounding.
     for _ in 0..3 {
