@@ -23,6 +23,12 @@ impl Interrupts {
         (signal != 0).then(|| i32::try_from(signal).unwrap_or(i32::MAX))
     }
 
+    /// Whether a checkpoint is requested.
+    #[must_use]
+    pub(crate) fn asks_for_checkpoint(&self) -> bool {
+        self.checkpoint.load(Ordering::Relaxed)
+    }
+
     /// Whether a checkpoint is requested; the request is settled then.
     #[must_use]
     pub fn take_checkpoint(&self) -> bool {

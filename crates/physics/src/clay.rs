@@ -27,6 +27,7 @@ pub struct ClayParameters {
 
 /// Strength parameters, and the moduli of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Clay {
     /// The return mapping, whatever the strength.
     pub(crate) tresca: MohrCoulomb,

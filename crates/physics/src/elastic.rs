@@ -8,6 +8,7 @@ use super::tensor::{Symmetric, contract, deviator, mean};
 
 /// Isotropic elastic moduli.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Elastic {
     /// Bulk modulus K [Pa].
     pub bulk: Real,
@@ -62,6 +63,7 @@ impl Elastic {
 /// How elastic moduli grow with the mean pressure: with its square root, between two pressures beyond which
 /// they are constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Stiffening {
     /// Lowest pressure at which the moduli change [Pa].
     pub least: Real,

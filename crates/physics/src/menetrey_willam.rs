@@ -20,6 +20,7 @@ const ROUNDING: Real = 10.0 * Real::EPSILON;
 
 /// Mohr–Coulomb with the potential of Menétrey and Willam.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct MenetreyWillam {
     pub(crate) elastic: Elastic,
     /// The yield surface.

@@ -15,6 +15,7 @@ use super::yield_law::{Memory, Point, Returned, YieldLaw};
 
 /// Strength parameters, and the moduli of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct MohrCoulomb {
     pub(crate) elastic: Elastic,
     pub(crate) sin_friction: Real,
@@ -31,6 +32,7 @@ pub struct MohrCoulomb {
 
 /// Direction and stiffness of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub(crate) struct Flow {
     pub(crate) sin_dilation: Real,
     /// Moduli of the return mapping: A, and B at either edge [Pa].

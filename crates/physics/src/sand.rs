@@ -76,6 +76,7 @@ pub struct SandParameters {
 
 /// The law of a sand.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Sand {
     pub(crate) elastic: Elastic,
     /// How the elastic moduli grow with the pressure.

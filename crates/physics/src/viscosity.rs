@@ -21,6 +21,7 @@ pub fn strained_width(widths: [Real; 3], rates: [Real; 3]) -> Real {
 
 /// Coefficients of bulk viscosity.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct BulkViscosity {
     /// b₁ ρ c [Pa s/m].
     pub linear: Real,

@@ -12,6 +12,7 @@ use super::yield_law::{Memory, Point, Returned, YieldLaw};
 
 /// Strength parameters, and the moduli of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct VonMises {
     /// σ_y [Pa].
     pub(crate) yield_stress: Real,

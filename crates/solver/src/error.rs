@@ -53,6 +53,18 @@ pub enum Breakdown {
         /// Position of the body's reference point.
         location: Location,
     },
+    /// The device that strains the soil does not do so any more.
+    #[error(
+        "the device failed at t = {time:.6} s (step {step}): {why}; the run can be resumed on the processor"
+    )]
+    Device {
+        /// What the device says.
+        why: String,
+        /// Time of the failure [s].
+        time: f64,
+        /// Step of the failure.
+        step: u64,
+    },
     /// A check that the run can no longer pass.
     #[error("{what} at t = {time:.6} s (step {step}){location}; {cure}")]
     Untrustworthy {

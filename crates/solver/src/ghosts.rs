@@ -244,6 +244,11 @@ impl<R: Kernels> Beyond<R> {
         Self { cells, at_rest }
     }
 
+    /// Indices in memory of the cells.
+    pub(crate) fn cells(&self) -> impl Iterator<Item = usize> {
+        self.cells.iter().map(|(cell, _)| *cell)
+    }
+
     /// Puts the ground beyond the boundaries back to rest.
     pub(crate) fn rest(&self, soil: &mut Soil<R>) {
         if self.cells.is_empty() {

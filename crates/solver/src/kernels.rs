@@ -1,7 +1,9 @@
 //! The interface between the time step and the kernels of either precision.
 
 use crate::cpu::kernels::{double, single};
+use crate::cpu::stage_sums::StageSums;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::device::{DeviceError, Driver, Touched};
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::model::Model;
@@ -12,14 +14,41 @@ use crate::state::{Known, Nodes, Soil, State};
 pub trait Kernels: Scalar {
     /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of
     /// the step, velocities without contact half a step later. Calls `known` as soon as the nodes of the
-    /// block that contact needs are moved.
+    /// block that contact needs are moved. A device only brings back what is `touched` in a step.
     fn lagrangian_stage(
         model: &Model,
         state: &mut State<Self>,
         workspace: &mut SoilWorkspace<Self>,
         dt: f64,
         known: &mut Known<'_, Self>,
+        touched: &dyn Fn() -> Touched,
     );
+
+    /// Reserves the fields on a device.
+    fn on_device(
+        model: &Model,
+        state: &State<Self>,
+        workspace: &SoilWorkspace<Self>,
+        driver: Box<dyn Driver>,
+    ) -> Result<Self::OnDevice, DeviceError>;
+
+    /// Sums of the last Lagrangian stage.
+    fn sums_of_device(device: &Self::OnDevice) -> StageSums;
+
+    /// Bytes that have crossed to a device and back, or why it has failed.
+    fn crossed(device: &Self::OnDevice) -> Result<u64, DeviceError>;
+
+    /// Gives a device the velocities of the contact nodes.
+    fn give_velocities(model: &Model, state: &State<Self>, device: &mut Self::OnDevice);
+
+    /// Whether the state is complete without what a device holds.
+    fn is_home(device: &Self::OnDevice) -> bool;
+
+    /// Another state takes the place of what a device holds.
+    fn forget(device: &mut Self::OnDevice);
+
+    /// Completes the state with what a device holds; `changes` if it is then changed on the processor.
+    fn bring_home(state: &mut State<Self>, device: &mut Self::OnDevice, changes: bool);
 
     /// Volumes [m³] of the displaced cells and of the soil in them, from which the sweeps of a remap start.
     fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
@@ -71,12 +100,14 @@ macro_rules! precision {
             const NAME: &'static str = $name;
             const LANES: usize = $module::LANES;
             const ROUND_OFF: f64 = $round_off;
-            type CellBlock = $module::cells::Block;
+            type CellBlock = ::kernels::$module::cells::Block;
 
-            type Materials = Vec<$module::cells::MaterialConstants>;
+            type Materials = Vec<::kernels::$module::cells::MaterialConstants>;
+
+            type OnDevice = $module::on_device::OnDevice;
 
             fn materials(model: &Model) -> Self::Materials {
-                $module::cells::materials(model)
+                $module::constants::of_materials(model)
             }
 
             fn cast(value: f64) -> Self {
@@ -84,7 +115,7 @@ macro_rules! precision {
             }
 
             fn cell_block() -> Box<Self::CellBlock> {
-                $module::cells::Block::new()
+                Box::default()
             }
         }
 
@@ -95,8 +126,51 @@ macro_rules! precision {
                 workspace: &mut SoilWorkspace<Self>,
                 dt: f64,
                 known: &mut Known<'_, Self>,
+                touched: &dyn Fn() -> Touched,
             ) {
-                $module::lagrange::lagrange(model, state, workspace, dt, known);
+                match workspace.device.take() {
+                    Some(mut device) => {
+                        device.strain(model, state, workspace, touched);
+                        workspace.device = Some(device);
+                    }
+                    None => $module::lagrange::lagrange(model, state, workspace, dt, known),
+                }
+            }
+
+            fn on_device(
+                model: &Model,
+                state: &State<Self>,
+                workspace: &SoilWorkspace<Self>,
+                driver: Box<dyn Driver>,
+            ) -> Result<Self::OnDevice, DeviceError> {
+                $module::on_device::OnDevice::new(model, state, workspace, driver)
+            }
+
+            fn sums_of_device(device: &Self::OnDevice) -> StageSums {
+                device.sums()
+            }
+
+            fn crossed(device: &Self::OnDevice) -> Result<u64, DeviceError> {
+                device.failure().cloned().map_or(Ok(device.crossed()), Err)
+            }
+
+            fn give_velocities(model: &Model, state: &State<Self>, device: &mut Self::OnDevice) {
+                device.give_velocities(model, state);
+            }
+
+            fn is_home(device: &Self::OnDevice) -> bool {
+                device.is_home()
+            }
+
+            fn forget(device: &mut Self::OnDevice) {
+                device.changed();
+            }
+
+            fn bring_home(state: &mut State<Self>, device: &mut Self::OnDevice, changes: bool) {
+                device.bring_home(state);
+                if changes {
+                    device.changed();
+                }
             }
 
             fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>) {

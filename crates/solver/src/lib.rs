@@ -11,6 +11,7 @@ mod check;
 mod compiled;
 mod contact;
 pub mod cpu;
+pub mod device;
 mod enclosed;
 pub mod energy;
 pub mod error;

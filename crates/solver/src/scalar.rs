@@ -21,6 +21,9 @@ pub trait Scalar:
     /// Constants of the materials of a model, in this precision.
     type Materials: Send + Sync;
 
+    /// A device with fields of this type.
+    type OnDevice: Send + Sync + Debug;
+
     /// The nearest number of this type.
     fn cast(value: f64) -> Self;
 

@@ -41,10 +41,10 @@ pub(crate) fn stages<R: Kernels>(
     beyond.rest(&mut state.soil);
     let pressed = contact::press(model, state, &contact.confined);
     let mut known = |nodes: &_, before: &_| contact.begin_gather(nodes, before, halo);
-    R::lagrangian_stage(model, state, soil, dt, &mut known);
+    R::lagrangian_stage(model, state, soil, dt, &mut known, &|| contact.touched(beyond));
     let beside_cuts = Layers { at: At::Nodes, depth: 1 };
     begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
-    let mut sums = soil.sums_of_stage();
+    let mut sums = soil.device.as_ref().map_or_else(|| soil.sums_of_stage(), R::sums_of_device);
     sums.add_pressing(contact::pressing_work(model, &state.soil, &pressed));
     sums.add_beyond(beyond.taken_up(model, &state.soil));
     sums.begin_total(halo);
@@ -54,6 +54,9 @@ pub(crate) fn stages<R: Kernels>(
     // too.
     end_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter_mut());
     let work = contact::apply(model, state, soil, contact, moving);
+    if let Some(device) = &mut soil.device {
+        R::give_velocities(model, state, device);
+    }
     bodies::advance(mechanism, state, moving);
     let sums = sums.total(halo);
     pore_pressure::renew(model, state, soil, seepage, (contact, &pressed), halo)?;
@@ -62,12 +65,18 @@ pub(crate) fn stages<R: Kernels>(
     state.step += 1;
     // Eulerian stage, only when the soil has moved far enough to need it.
     if is_remap_due(model, state, &sums) {
+        workspace.bring_home(state, true);
         remap(model, state, workspace);
         let Workspace { soil, contact, seepage, halo, .. } = workspace;
         contact::search(model, state, soil, contact, halo);
         pore_pressure::find_paths(model, state, seepage, contact);
     }
-    check(model, state, &sums, &workspace.halo)
+    workspace.device_works(state)?;
+    check(model, state, &sums, &workspace.halo).or_else(|_| {
+        // The place of the fault is found in the fields.
+        workspace.bring_home(state, false);
+        check(model, state, &sums, &workspace.halo)
+    })
 }
 
 /// Whether soil or a body has moved so far since the last remap that another is due.

@@ -6,12 +6,15 @@ use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::device::{DeviceError, Driver};
+use crate::error::Breakdown;
 use crate::ghosts::Beyond;
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::kernels::Kernels;
 use crate::model::{Model, RimBin};
 use crate::pore_pressure;
+use crate::precision::Precision;
 use crate::state::State;
 use mechanics::{Mechanism, Steering, Step, Work};
 
@@ -118,6 +121,67 @@ impl<R: Kernels> Workspace<R> {
     /// The bins of each body's rim, in the order of their arcs.
     pub fn rims(&self) -> impl Iterator<Item = &[RimBin]> {
         self.contact.surfaces.iter().map(contact::Surface::rim)
+    }
+
+    /// Has a device strain the soil from here on, and not the processor; changes no bit of a run.
+    ///
+    /// # Errors
+    /// [`DeviceError`] if the device has not enough memory, or if this model needs what devices cannot do:
+    /// pore water, or several blocks.
+    pub fn use_device(
+        &mut self,
+        model: &Model,
+        state: &State<R>,
+        driver: Box<dyn Driver>,
+    ) -> Result<(), DeviceError> {
+        if model.pore_water.is_some() {
+            return Err(DeviceError("pore water flows on the processor alone".to_owned()));
+        }
+        if !self.halo.is_alone() {
+            return Err(DeviceError("a grid in several blocks is strained on processors alone".to_owned()));
+        }
+        self.soil.device = Some(R::on_device(model, state, &self.soil, driver)?);
+        Ok(())
+    }
+
+    /// Bytes that have crossed to the device and back; `None` without one.
+    #[must_use]
+    pub fn crossed_to_device(&self) -> Option<u64> {
+        R::crossed(self.soil.device.as_ref()?).ok()
+    }
+
+    /// Completes the state with the fields that a device holds; between steps, only contact and bodies are
+    /// up to date. `changes` says that the fields are then changed.
+    pub fn bring_home(&mut self, state: &mut State<R>, changes: bool) {
+        if let Some(device) = &mut self.soil.device {
+            R::bring_home(state, device, changes);
+        }
+    }
+
+    /// A workspace for another state of the same model, with the same threads and device.
+    pub fn restart(&mut self, model: &Model, state: &mut State<R>)
+    where
+        R: Precision,
+    {
+        let mut device = self.soil.device.take();
+        *self = Self::of_block(model, state, self.threads(), Halo::whole());
+        if let Some(device) = &mut device {
+            R::forget(device);
+        }
+        self.soil.device = device;
+    }
+
+    /// Whether the state is complete without what a device holds.
+    #[must_use]
+    pub fn is_home(&self) -> bool {
+        self.soil.device.as_ref().is_none_or(R::is_home)
+    }
+
+    /// Fails if the device has.
+    pub(crate) fn device_works(&self, state: &State<R>) -> Result<(), Breakdown> {
+        let failed = self.soil.device.as_ref().and_then(|device| R::crossed(device).err());
+        let (time, step) = (state.time, state.step);
+        failed.map_or(Ok(()), |DeviceError(why)| Err(Breakdown::Device { why, time, step }))
     }
 
     /// Number of threads.

@@ -120,12 +120,20 @@ impl<'a> Checkpoints<'a> {
     ) -> Self {
         Self { folder, interrupts, books, last: Instant::now() }
     }
+
+    fn is_due<R: Precision>(&self, simulation: &Simulation<R>) -> bool {
+        self.last.elapsed().as_secs_f64() >= simulation.case.output.checkpoint_interval
+    }
 }
 
 impl<R: Precision> Observer<R> for Checkpoints<'_> {
+    fn reads_fields(&self, simulation: &Simulation<R>) -> bool {
+        self.interrupts.asks_for_checkpoint() || self.is_due(simulation)
+    }
+
     fn between_steps(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
-        let is_due = self.last.elapsed().as_secs_f64() >= simulation.case.output.checkpoint_interval;
-        let asks = self.interrupts.take_checkpoint() || is_due;
+        let asks =
+            simulation.fields_are_home() && (self.interrupts.take_checkpoint() || self.is_due(simulation));
         let mut asked = [f64::from(u8::from(asks))];
         simulation.halo().largest(&mut asked);
         if asked[0] > 0.0 {

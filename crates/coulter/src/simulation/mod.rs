@@ -21,6 +21,7 @@ use results::history::steady::SteadyPart;
 use results::trust::{Setting, Trust};
 use solver::balance;
 use solver::cpu::stopwatch::Stopwatch;
+use solver::device::{DeviceError, Driver};
 use solver::error::Breakdown;
 use solver::grid::Grid;
 use solver::halo::decomposition::Decomposition;
@@ -72,6 +73,13 @@ pub trait Observer<R: Precision = f64> {
     fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
         let _ = simulation;
         Ok(Next::Continue)
+    }
+
+    /// Whether [`Observer::between_steps`] will read fields of the soil: where a device holds them, they are
+    /// brought back for that. They are up to date at every sample, and when a run has ended.
+    fn reads_fields(&self, simulation: &Simulation<R>) -> bool {
+        let _ = simulation;
+        false
     }
 
     /// The run stands between two steps, or before the first. This is called often and must be quick.
@@ -248,6 +256,7 @@ impl<R: Precision> Simulation<R> {
     /// Sets soil and bodies in motion before the first step; the energy balance counts their energy as
     /// external work.
     pub fn set_in_motion(&mut self, push: impl FnOnce(&Model, &mut State<R>)) {
+        self.workspace.bring_home(&mut self.state, true);
         push(&self.model, &mut self.state);
         self.state.energy_balance.kinetic_start =
             balance::kinetic_energy(&self.model, &self.state, self.workspace.halo());
@@ -307,7 +316,7 @@ impl<R: Precision> Simulation<R> {
         }
         let Self { model, state, workspace, history, last_sample, balance, .. } = self;
         (*state, *history, *last_sample) = (read.state, read.history, read.last_sample);
-        *workspace = Workspace::of_block(model, state, workspace.threads(), Halo::whole());
+        workspace.restart(model, state);
         *balance = Balance::from(state.step);
         stages::restore(history, model);
         workspace.set_motions(model);
@@ -392,6 +401,9 @@ impl<R: Precision> Simulation<R> {
     /// ```
     pub fn run(&mut self, observers: &mut [&mut dyn Observer<R>]) -> Result<Stop, ObserverError> {
         let stop = loop {
+            if observers.iter().any(|observer| observer.reads_fields(self)) {
+                self.bring_home();
+            }
             if let Some(stop) = asked(observers, |observer| observer.between_steps(self))? {
                 break stop;
             }
@@ -408,6 +420,7 @@ impl<R: Precision> Simulation<R> {
                 }
             }
         };
+        self.bring_home();
         observers.iter_mut().try_for_each(|observer| observer.ended(self, &stop))?;
         Ok(stop)
     }
@@ -461,6 +474,7 @@ impl<R: Precision> Simulation<R> {
         let stage_is_over = stages::time_is_over(case, history, state.time, self.model.time_step());
         let is_due = state.time >= due || self.is_done() || stage_is_over;
         if is_due {
+            self.bring_home();
             self.sample();
             let Self { case, model, state, workspace, history, .. } = self;
             if stages::proceed(case, model, state, history)? {
@@ -488,7 +502,36 @@ impl<R: Precision> Simulation<R> {
     /// # Errors
     /// [`Breakdown`] when the physics fails.
     pub fn steps(&mut self, number: u32) -> Result<(), Breakdown> {
-        (0..number).try_for_each(|_| self.step())
+        let stepped = (0..number).try_for_each(|_| self.step());
+        self.bring_home();
+        stepped
+    }
+
+    /// Has a device strain the soil from here on; changes no bit of the run.
+    ///
+    /// # Errors
+    /// [`DeviceError`] if the device has not enough memory, or if the case needs what devices cannot do.
+    pub fn use_device(&mut self, driver: Box<dyn Driver>) -> Result<(), DeviceError> {
+        let Self { model, state, workspace, .. } = self;
+        workspace.use_device(model, state, driver)
+    }
+
+    /// Bytes that have crossed to the device and back; `None` without one.
+    #[must_use]
+    pub fn crossed_to_device(&self) -> Option<u64> {
+        self.workspace.crossed_to_device()
+    }
+
+    /// Whether the fields of the state are up to date, and not on a device.
+    #[must_use]
+    pub fn fields_are_home(&self) -> bool {
+        self.workspace.is_home()
+    }
+
+    /// Completes the state with what a device holds.
+    fn bring_home(&mut self) {
+        let Self { state, workspace, .. } = self;
+        workspace.bring_home(state, false);
     }
 
     /// Where the time of the calling thread goes.

@@ -11,6 +11,7 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod blocks;
+mod device;
 mod set_ups;
 
 use coulter::simulation::Simulation;

@@ -24,7 +24,7 @@ const PRESSED_WITHIN: f64 = 0.1;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Confined {
     /// Index in memory.
-    cell: usize,
+    pub(super) cell: usize,
     /// The body that occupies most of the cell.
     body: usize,
     /// Compression after which soil and bodies fill the cell.

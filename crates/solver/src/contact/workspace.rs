@@ -14,8 +14,11 @@ use super::rim_stress::RimStress;
 use super::slip_terms::SlipTerms;
 use super::surface::Surface;
 use crate::cpu::threads::Crew;
+use crate::device::Touched;
+use crate::ghosts::Beyond;
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
+use crate::kernels::Kernels;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::{Nodes, State};
@@ -110,6 +113,22 @@ impl ContactWorkspace {
     /// Begins to send the other blocks what they need to know of this one's contact nodes.
     pub(crate) fn begin_gather<R: Scalar>(&self, nodes: &Nodes<R>, before: &[Vec<R>; 3], halo: &Halo) {
         self.owners.begin(&self.nodes, (nodes, before), halo);
+    }
+
+    /// What a step touches besides the Lagrangian stage: the contact nodes, confined soil and the ground
+    /// beyond boundaries.
+    pub(crate) fn touched<R: Kernels>(&self, beyond: &Beyond<R>) -> Touched {
+        let of = |entries: &mut dyn Iterator<Item = usize>| {
+            let mut all: Vec<u32> = entries.map(|n| n as u32).collect();
+            all.sort_unstable();
+            all.dedup();
+            all
+        };
+        let confined = self.confined.iter().map(|own| own.cell);
+        Touched {
+            nodes: of(&mut self.nodes.iter().filter_map(|node| node.node)),
+            cells: of(&mut confined.chain(beyond.cells())),
+        }
     }
 
     /// First row of nodes in memory that other blocks need of this one, if there is one.

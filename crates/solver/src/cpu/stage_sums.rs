@@ -2,6 +2,8 @@
 
 use crate::exact_sum::{ExactSum, begin_over_blocks, end_over_blocks};
 use crate::halo::Halo;
+use ::kernels::launch::SUMS;
+use ::kernels::sums::Measured;
 
 /// Sums over a row, or over the whole grid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,7 +35,7 @@ pub(crate) struct RowSums {
 
 /// Sums over several rows, exact.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct StageSums {
+pub struct StageSums {
     /// Plastic, viscous, hourglass and seepage dissipation, work of gravity, kinetic energy, work of
     /// pressing, and on the ground beyond boundaries at constant stress.
     energies: [ExactSum; 8],
@@ -43,6 +45,13 @@ pub(crate) struct StageSums {
 }
 
 impl RowSums {
+    /// Takes over what a row of nodes adds.
+    pub(crate) fn measured(&mut self, row: &Measured) {
+        let Measured { gravity, kinetic, displacement, displacement_light } = *row;
+        (self.gravity, self.kinetic) = (gravity, kinetic);
+        (self.displacement, self.displacement_light) = (displacement, displacement_light);
+    }
+
     /// Total dissipation [J].
     pub(crate) fn dissipated(&self) -> f64 {
         self.plastic + self.viscous + self.hourglass + self.seepage
@@ -60,6 +69,14 @@ impl StageSums {
             sums.reach([own.displacement, own.displacement_light], own.yields);
         }
         sums
+    }
+
+    /// The sums that a device has found: those of its rows, and the largest displacements.
+    pub(crate) fn of_device(sums: [ExactSum; SUMS], farthest: [f64; 2]) -> Self {
+        let [plastic, viscous, hourglass, gravity, kinetic, beyond] = sums;
+        let none = ExactSum::default();
+        let energies = [plastic, viscous, hourglass, none, gravity, kinetic, none, beyond];
+        Self { energies, farthest, yields: 0 }
     }
 
     fn reach(&mut self, [all, light]: [f64; 2], yields: u32) {

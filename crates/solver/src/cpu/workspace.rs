@@ -11,17 +11,13 @@ use crate::halo::Halo;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::State;
-
-/// Coefficients of the nodal forces of a cell: for each component the plain term and the terms signed by the
-/// corner's side along x, y, z; last the hourglass damping.
-pub(crate) const COEFFICIENTS: usize = 13;
-
-/// Sums at a node: force along x, y, z, and damping.
-pub(crate) const NODE_SUMS: usize = 4;
+use ::kernels::sums::{COEFFICIENTS, NODE_SUMS};
 
 /// Threads, scratch arrays, and which rows hold soil.
 pub struct SoilWorkspace<R: Scalar> {
     pub(crate) team: Team,
+    /// The device that strains the soil, if it is not the processor.
+    pub(crate) device: Option<R::OnDevice>,
     /// Partition of the rows of memory planes 1 to nz + 1 (nodes, and the cells above them).
     pub(crate) partition: RowPartition,
     /// First row of nodes that contact needs, if this is one of several blocks and has any: the rows from
@@ -147,6 +143,7 @@ impl<R: Scalar> SoilWorkspace<R> {
         let averaged = if model.has_characteristic_length() { grid.entries } else { 0 };
         let mut workspace = Self {
             team: Team::new(threads),
+            device: None,
             partition: RowPartition::new(rows, &vec![1.0; planes * rows], [portions, least], row),
             contact_from: None,
             far_portions: 0,

@@ -6,18 +6,20 @@
 //! than a plane has, must wait for the cells below or behind them, which belong to another portion.
 
 use super::cells::{CellRow, MaterialConstants, RowConstants, cells_of, runs};
+use super::constants;
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
-use super::stress::{NodeRows, strain_cells};
+use super::strain::strain_cells;
+use super::stress::NodeRows;
 use super::{Coefficients, PortionScratch, Real, Soil, State, Workspace};
 use crate::cpu::stage_sums::{RowSums, StageSums};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::team_items;
-use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS};
 use crate::exact_sum::ExactSum;
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::Known;
+use ::kernels::sums::{COEFFICIENTS, NODE_SUMS};
 use std::ops::Range;
 use std::time::Instant;
 
@@ -138,8 +140,8 @@ fn strain(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64, 
         material,
         materials,
         clears,
-        cells: RowConstants::new(model, materials, width_x, dt),
-        nodes: NodeConstants::new(model, dt),
+        cells: constants::of_rows(model, materials, width_x, dt),
+        nodes: constants::of_nodes(model, dt),
     };
     let mut stress = stress.each_mut().map(|s| partition.split(s));
     let mut displacement = state.nodes.displacement.each_mut().map(|u| partition.split(u));
@@ -320,7 +322,7 @@ fn strain_row_of(inputs: &Inputs, slice: &mut PortionSlice, [q, plane]: [usize; 
 }
 
 /// The columns of a row of cells that are strained, in parts that lie in the domain or beyond it.
-fn strained_columns(model: &Model, is_inside: bool) -> impl Iterator<Item = (Range<usize>, bool)> {
+pub(super) fn strained_columns(model: &Model, is_inside: bool) -> impl Iterator<Item = (Range<usize>, bool)> {
     let (grid, all) = (&model.grid, model.boundaries.strained(&model.grid, 0));
     let inside = grid.inside(0);
     let own = if all == inside { grid.strained_columns() } else { inside.clone() };
@@ -348,13 +350,14 @@ fn move_row_of(inputs: &Inputs, slice: &mut PortionSlice, row_and_plane: [usize;
         velocity,
     };
     move_row(&inputs.nodes, &mut nodes, &slice.scratch.row, row);
-    apply_boundaries(inputs, row_and_plane, &mut nodes.velocity);
-    finish_row(&inputs.nodes, &nodes, &mut slice.scratch.row, &mut slice.sums[n]);
+    apply_boundaries(inputs.model, row_and_plane, &mut nodes.velocity);
+    let measured = finish_row(&inputs.nodes, &nodes, &mut slice.scratch.row);
+    slice.sums[n].measured(&measured);
 }
 
 /// Sets to zero the velocity components of a row of nodes that boundaries hold.
-fn apply_boundaries(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
-    let Inputs { grid, model, .. } = inputs;
+pub(super) fn apply_boundaries(model: &Model, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
+    let grid = &model.grid;
     let nodes = grid.cells()[0] + 1;
     // The first nodes that are held at the high end, and those after the last at the low end.
     let held = |axis: usize| {

@@ -1,6 +1,7 @@
 //! The end of the Eulerian stage: from carried volumes back to volume fractions and admissible stresses.
 
 use super::cells::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, cells_of, runs};
+use super::constants;
 use super::physics::tensor::mean;
 use super::return_mapping::apply;
 use super::{PortionScratch, Real, Soil, Workspace};
@@ -72,7 +73,7 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
             let history = history.each_mut().map(|h| h.next().unwrap_or_default());
             PortionSlice { rows, fraction, mass, stress, history, debris, scratch }
         });
-    let constants = RowConstants::new(model, materials, width_x, 0.0);
+    let constants = constants::of_rows(model, materials, width_x, 0.0);
     let inputs = Inputs { grid: &model.grid, constants, materials, composition, densities, volume, active };
     team.distribute(slices, |slice| update_slice(&inputs, slice));
 }
@@ -144,7 +145,7 @@ pub(crate) fn update_cell(model: &Model, soil: &mut Soil, workspace: &mut Worksp
     let grid = &model.grid;
     let Workspace { width_x, portions, densities, materials, .. } = workspace;
     let material = &materials[soil.main_material(c)];
-    let constants = RowConstants::new(model, materials, width_x, 0.0).of(material);
+    let constants = constants::of_rows(model, materials, width_x, 0.0).of(material);
     let [i, j, k] = grid.layers_of(c);
     let own = c - i..c - i + grid.padded_row();
     let mass = &soil.mass[own.clone()];
@@ -179,7 +180,7 @@ fn update_cells(constants: &RowConstants, cells: &mut CellRow, columns: Range<us
 /// lost. Soil looser than it can be has a gap.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
-    let (start, n) = (b.start, b.n.min(BLOCK));
+    let (start, n) = b.span();
     let own = start..start + n;
     let (fraction, gap_strain) = (&cells.fraction[own.clone()], &cells.history[GAP_STRAIN][own.clone()]);
     let (mass, width) = (&cells.mass[own.clone()], &constants.width_x[own.clone()]);
@@ -214,7 +215,7 @@ fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
 /// Stores stress and gap; where no soil is left nothing is remembered.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn put_back(cells: &mut CellRow, b: &Block) {
-    let (start, n) = (b.start, b.n.min(BLOCK));
+    let (start, n) = b.span();
     let own = start..start + n;
     for (stress, trial) in cells.stress.iter_mut().zip(&b.trial) {
         let stress = &mut stress[own.clone()];

@@ -5,69 +5,24 @@
 //! lies in the block or is passed as an argument, so that the compiler can exclude aliasing and vectorises
 //! them. Each loop is compiled for several instruction sets; without `mul_add`, all give the same bits.
 
+use super::Real;
 use super::cells::{BLOCK, Block, CellRow, Lane, RowConstants};
 use super::lanes::lane_sum;
 use super::physics::brick::Sums;
 use super::physics::elastic::{Elastic, Stiffening};
 use super::physics::tensor::{Symmetric, deviator, jaumann, mean};
 use super::physics::viscosity::strained_width;
-use super::return_mapping::apply;
-use super::{LANES, Real};
-use crate::cpu::stage_sums::RowSums;
-use crate::cpu::stopwatch::{Stage, Stopwatch};
-use crate::cpu::workspace::COEFFICIENTS;
-use crate::fields::{GAP_STRAIN, PORE_PRESSURE_AHEAD};
+use crate::history::{GAP_STRAIN, PORE_PRESSURE_AHEAD};
+use crate::sums::COEFFICIENTS;
 use multiversion::multiversion;
-use std::ops::Range;
 
 /// Nodal velocities in the four rows of nodes around a row of cells: (y, z) = (0,0), (1,0), (0,1), (1,1).
-pub(crate) type NodeRows<'a> = [[&'a [Real]; 3]; 4];
+pub type NodeRows<'a> = [[&'a [Real]; 3]; 4];
 
-/// Strains a run of cells of one material for one step: updates their stresses and writes the coefficients of
-/// the nodal forces to the rows of `forces`. Adds the dissipation to `sums`.
-pub(crate) fn strain_cells(
-    constants: &RowConstants,
-    nodes: &NodeRows,
-    (cells, run): (&mut CellRow, Range<usize>),
-    (block, stopwatch): (&mut Block, &mut Stopwatch),
-    forces: &mut [&mut [Real]; COEFFICIENTS],
-    sums: &mut RowSums,
-) {
-    // Blocks of about equal size, since a short one would cost nearly as much as a long one.
-    let n = run.len();
-    let size = n.div_ceil(n.div_ceil(BLOCK)).next_multiple_of(LANES);
-    for start in run.clone().step_by(size) {
-        (block.start, block.n) = (start, size.min(run.end - start));
-        corner_sums(nodes, block);
-        match &constants.material.stiffening {
-            Some(stiffening) => stiffening_trial_stress(constants, stiffening, cells, block),
-            None => linear_trial_stress(constants, cells, block),
-        }
-        if let Some(yield_law) = &constants.material.yield_law {
-            stopwatch.lap(Stage::Lagrange);
-            let returned = apply(constants, yield_law, cells, block);
-            stopwatch.count_returned(returned);
-            sums.yields += returned as u32;
-            stopwatch.lap(Stage::Plasticity);
-        }
-        if !constants.has_cubes {
-            strained_widths(constants, cells, block);
-        }
-        let [plastic, viscous, hourglass] = cut_off_stress(constants, cells, block);
-        sums.plastic += plastic;
-        sums.viscous += viscous * f64::from(constants.dt);
-        sums.hourglass += hourglass * f64::from(constants.dt);
-        if !cells.history[PORE_PRESSURE_AHEAD].is_empty() {
-            sums.seepage += add_pore_pressure(constants, cells, block) * f64::from(constants.dt);
-        }
-        force_coefficients(block, forces);
-        stopwatch.lap(Stage::Lagrange);
-    }
-}
-
+/// Corner sums of the velocities of a block.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn corner_sums(nodes: &NodeRows, b: &mut Block) {
-    let (start, n) = (b.start, b.n.min(BLOCK));
+pub fn corner_sums(nodes: &NodeRows, b: &mut Block) {
+    let (start, n) = b.span();
     b.hourglass = [0.0; BLOCK];
     let Block { plain: [px, py, pz], side: [sx, sy, sz], hourglass, .. } = b;
     let own = start..start + n + 1;
@@ -94,14 +49,16 @@ fn component_sums(v: [&[Real]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], 
     }
 }
 
+/// Trial stresses of a block with constant moduli.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn linear_trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
+pub fn linear_trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let elastic = constants.material.elastic;
     trial_stress(constants, |_| elastic, cells, b);
 }
 
+/// Trial stresses of a block whose moduli grow with the pressure.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn stiffening_trial_stress(
+pub fn stiffening_trial_stress(
     constants: &RowConstants,
     stiffening: &Stiffening,
     cells: &CellRow,
@@ -119,7 +76,7 @@ fn trial_stress(
     cells: &CellRow,
     b: &mut Block,
 ) {
-    let (start, n) = (b.start, b.n.min(BLOCK));
+    let (start, n) = b.span();
     let own = start..start + n;
     let (per_width, fraction) = (&constants.per_width_x[own.clone()], &cells.fraction[own.clone()]);
     let gap_strain = &cells.history[GAP_STRAIN][own.clone()];
@@ -165,8 +122,8 @@ fn trial_stress(
 
 /// Lengths for bulk viscosity of cells that are not cubes.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn strained_widths(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
-    let (start, n) = (b.start, b.n.min(BLOCK));
+pub fn strained_widths(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
+    let (start, n) = b.span();
     let own = start..start + n;
     let (width, per_width) = (&constants.width_x[own.clone()], &constants.per_width_x[own]);
     let (hy, hz) = (cells.width_y, cells.width_z);
@@ -181,8 +138,8 @@ fn strained_widths(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
 /// stress-bearing areas, the bulk viscosity and the hourglass damping. Returns the plastic work [J] and the
 /// dissipation by bulk and hourglass viscosity [W] of the block.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3] {
-    let (start, n) = (b.start, b.n.min(BLOCK));
+pub fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3] {
+    let (start, n) = b.span();
     let own = start..start + n;
     let (width, fraction) = (&constants.width_x[own.clone()], &cells.fraction[own.clone()]);
     let (hy, hz) = (cells.width_y, cells.width_z);
@@ -228,8 +185,8 @@ fn cut_off_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real]
 /// Adds the pore pressure to the stresses that act on the nodes, in all soil: unlike the grains, the water in
 /// it bears pressure across an open gap, too. Returns the power that goes into the water [W].
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn add_pore_pressure(constants: &RowConstants, cells: &CellRow, b: &mut Block) -> f64 {
-    let (start, n) = (b.start, b.n.min(BLOCK));
+pub fn add_pore_pressure(constants: &RowConstants, cells: &CellRow, b: &mut Block) -> f64 {
+    let (start, n) = b.span();
     let own = start..start + n;
     let (width, fraction) = (&constants.width_x[own.clone()], &cells.fraction[own.clone()]);
     let pressure = &cells.history[PORE_PRESSURE_AHEAD][own];
@@ -249,8 +206,9 @@ fn add_pore_pressure(constants: &RowConstants, cells: &CellRow, b: &mut Block) -
 /// Coefficients of the nodal forces from stress and hourglass viscosity: the plain term, and the terms signed
 /// by the corner's side.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn force_coefficients(b: &Block, forces: &mut [&mut [Real]; COEFFICIENTS]) {
-    let own = b.start..b.start + b.n.min(BLOCK);
+pub fn force_coefficients(b: &Block, forces: &mut [&mut [Real]; COEFFICIENTS]) {
+    let (start, n) = b.span();
+    let own = start..start + n;
     let [px, xx, xy, xz, py, yx, yy, yz, pz, zx, zy, zz, damping] = forces;
     let [px, xx, xy, xz] = [px, xx, xy, xz].map(|row| &mut row[own.clone()]);
     let [py, yx, yy, yz] = [py, yx, yy, yz].map(|row| &mut row[own.clone()]);

@@ -11,7 +11,7 @@ use super::physics::tensor::{Symmetric, mean};
 use super::physics::von_mises::VonMises;
 use super::physics::yield_law::{Memory, Point, YieldLaw};
 use super::{LANES, Real};
-use crate::fields::{INTACT_STRENGTH, NONLOCAL_DENSITY, PLASTIC_STRAIN, PRECONSOLIDATION, STRESS_RATIO};
+use crate::history::{INTACT_STRENGTH, NONLOCAL_DENSITY, PLASTIC_STRAIN, PRECONSOLIDATION, STRESS_RATIO};
 use multiversion::multiversion;
 
 /// Mean of the stresses before and after a step: with it the sum of the work over steps is exact for central
@@ -42,12 +42,7 @@ const MEMORY: [usize; 3] = [STRESS_RATIO, PRECONSOLIDATION, NONLOCAL_DENSITY];
 
 /// Returns the trial stresses outside the yield surface to it; the result is their number. One function for
 /// each law, so that each loop is compiled separately.
-pub(super) fn apply(
-    constants: &RowConstants,
-    yield_law: &Law,
-    cells: &mut CellRow,
-    block: &mut Block,
-) -> usize {
+pub fn apply(constants: &RowConstants, yield_law: &Law, cells: &mut CellRow, block: &mut Block) -> usize {
     match yield_law {
         Law::MohrCoulomb(law) => mohr_coulomb(constants, law, cells, block),
         Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
@@ -67,11 +62,11 @@ fn apply_law<L: YieldLaw>(
     cells: &mut CellRow,
     b: &mut Block,
 ) -> usize {
-    let n = b.n.min(BLOCK);
-    let own = b.start..b.start + n;
+    let (start, n) = b.span();
+    let own = start..start + n;
     let plastic_strain = &cells.history[PLASTIC_STRAIN][own.clone()];
-    let [stress_ratio, preconsolidation, _] =
-        MEMORY.map(|h| if L::REMEMBERS { &cells.history[h][own.clone()] } else { plastic_strain });
+    let of = |h: usize| if L::REMEMBERS { &cells.history[h][own.clone()] } else { plastic_strain };
+    let (stress_ratio, preconsolidation) = (of(STRESS_RATIO), of(PRECONSOLIDATION));
     let intact = if L::HAS_STRENGTH { &cells.history[INTACT_STRENGTH][own.clone()] } else { plastic_strain };
     for i in 0..n {
         let trial = tensor(&b.trial, i);
@@ -107,13 +102,20 @@ fn apply_law<L: YieldLaw>(
     count
 }
 
+/// [`apply`] for the law of Mohr–Coulomb.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn mohr_coulomb(constants: &RowConstants, law: &MohrCoulomb, cells: &mut CellRow, b: &mut Block) -> usize {
+pub fn mohr_coulomb(
+    constants: &RowConstants,
+    law: &MohrCoulomb,
+    cells: &mut CellRow,
+    b: &mut Block,
+) -> usize {
     apply_law(constants, law, plastic_work(&constants.material.elastic), cells, b)
 }
 
+/// [`apply`] for the law of Mohr–Coulomb with a smooth flow potential.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn menetrey_willam(
+pub fn menetrey_willam(
     constants: &RowConstants,
     law: &MenetreyWillam,
     cells: &mut CellRow,
@@ -122,8 +124,9 @@ fn menetrey_willam(
     apply_law(constants, law, plastic_work(&constants.material.elastic), cells, b)
 }
 
+/// [`apply`] for the law of sand.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn sand(constants: &RowConstants, law: &Sand, cells: &mut CellRow, b: &mut Block) -> usize {
+pub fn sand(constants: &RowConstants, law: &Sand, cells: &mut CellRow, b: &mut Block) -> usize {
     // Copies, which nothing written in the loops can change.
     let (law, elastic) = (*law, constants.material.elastic);
     // What is not stored of the work is dissipated, in elastic cells too: their moduli change with the
@@ -133,8 +136,8 @@ fn sand(constants: &RowConstants, law: &Sand, cells: &mut CellRow, b: &mut Block
         elastic.compliance(middle(old, new), strained) / law.stiffening.factor(-mean(old)) + law.energy(old)
             - law.energy(new)
     };
-    let n = b.n.min(BLOCK);
-    let stress = cells.stress.each_ref().map(|s| &s[b.start..b.start + n]);
+    let (start, n) = b.span();
+    let stress = cells.stress.each_ref().map(|s| &s[start..start + n]);
     for i in 0..n {
         let (old, trial) = (stress.map(|s| s[i]), tensor(&b.trial, i));
         b.work[i] = if b.bears_stress[i] > 0.0 { dissipation(old, trial, trial) } else { 0.0 };
@@ -142,13 +145,15 @@ fn sand(constants: &RowConstants, law: &Sand, cells: &mut CellRow, b: &mut Block
     apply_law(constants, &law, dissipation, cells, b)
 }
 
+/// [`apply`] for the law of clay.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn clay(constants: &RowConstants, law: &Clay, cells: &mut CellRow, b: &mut Block) -> usize {
+pub fn clay(constants: &RowConstants, law: &Clay, cells: &mut CellRow, b: &mut Block) -> usize {
     apply_law(constants, law, plastic_work(&constants.material.elastic), cells, b)
 }
 
+/// [`apply`] for the law of von Mises.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &mut Block) -> usize {
+pub fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &mut Block) -> usize {
     apply_law(constants, law, plastic_work(&constants.material.elastic), cells, b)
 }
 
@@ -186,7 +191,7 @@ impl Yielding {
         b: &Block,
         (l, i): (usize, usize),
     ) {
-        let own = b.start + i;
+        let own = b.span().0 + i;
         for c in 0..6 {
             self.trial[c][l] = b.trial[c][i];
             self.old[c][l] = cells.stress[c][own];
@@ -200,8 +205,8 @@ impl Yielding {
         }
         if L::REMEMBERS {
             self.density[l] = cells.mass[own] / (cells.fraction[own] * volume);
-            for (memory, h) in self.memory.iter_mut().zip(MEMORY) {
-                memory[l] = cells.history[h][own];
+            for n in 0..MEMORY.len() {
+                self.memory[n][l] = cells.history[MEMORY[n]][own];
             }
         }
     }
@@ -215,15 +220,15 @@ impl Yielding {
         b: &mut Block,
         (l, i): (usize, usize),
     ) {
-        let own = b.start + i;
+        let own = b.span().0 + i;
         for c in 0..6 {
             b.trial[c][i] = self.trial[c][l];
         }
         if constants.strains() {
             cells.history[PLASTIC_STRAIN][own] = self.plastic_strain[l];
             if L::REMEMBERS {
-                for (memory, h) in self.memory.iter().zip(MEMORY) {
-                    cells.history[h][own] = memory[l];
+                for n in 0..MEMORY.len() {
+                    cells.history[MEMORY[n]][own] = self.memory[n][l];
                 }
             }
         }
@@ -276,7 +281,7 @@ mod tests {
     use super::super::physics::sand::SandParameters;
     use super::super::physics::viscosity::BulkViscosity;
     use super::*;
-    use crate::fields::HISTORY_COUNT;
+    use crate::history::HISTORY_COUNT;
     use std::hint::black_box;
     use std::time::Instant;
 

@@ -5,7 +5,7 @@ use super::{LANES, Real};
 /// Sum in eight lanes that are added at the end, so that the result does not depend on the processor's vector
 /// width.
 #[inline(always)]
-pub(crate) fn lane_sum(values: &[Real]) -> f64 {
+pub fn lane_sum(values: &[Real]) -> f64 {
     let mut lanes: [Real; 8] = [0.0; 8];
     for chunk in values.chunks_exact(8) {
         for (lane, value) in lanes.iter_mut().zip(chunk) {
@@ -19,7 +19,7 @@ pub(crate) fn lane_sum(values: &[Real]) -> f64 {
 
 /// Largest of some non-negative values; 0 for none.
 #[inline(always)]
-pub(crate) fn lane_max(values: &[Real]) -> Real {
+pub fn lane_max(values: &[Real]) -> Real {
     let mut lanes = [0.0; LANES];
     for chunk in values.chunks_exact(LANES) {
         for (lane, value) in lanes.iter_mut().zip(chunk) {

@@ -3,51 +3,38 @@
 
 use super::Real;
 use super::lanes::{lane_max, lane_sum};
-use crate::cpu::stage_sums::RowSums;
-use crate::cpu::workspace::NODE_SUMS;
-use crate::model::Model;
+use crate::sums::{Measured, NODE_SUMS};
 use multiversion::multiversion;
 
 /// Constants of all nodes.
-pub(crate) struct NodeConstants {
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct NodeConstants {
     /// Time step [s].
-    dt: Real,
+    pub dt: Real,
     /// Gravity along x, y, z [m/s²].
-    gravity: [Real; 3],
+    pub gravity: [Real; 3],
     /// Whether gravity acts along x or y, too.
-    is_tilted: bool,
+    pub is_tilted: bool,
     /// Mass above which a node moves [kg].
-    mass_moved: Real,
+    pub mass_moved: Real,
     /// Nodes lighter than this [kg] may move farther before a remap is due: otherwise a few grains in flight
     /// would cause a remap every few steps.
-    light: Real,
+    pub light: Real,
     /// Inverse of the aspect of the cells along x, y, z.
-    per_aspect: [Real; 3],
-}
-
-impl NodeConstants {
-    pub(crate) fn new(model: &Model, dt: f64) -> Self {
-        /// Fraction of the mass of a full node.
-        const LIGHT: f64 = 0.02;
-        let light = LIGHT * model.least_density() * model.least_volume();
-        let [dt, mass_moved, light] = [dt, model.mass_moved(), light].map(|x| x as Real);
-        let gravity = (model.soil_gravity * model.down).to_array().map(|g| g as Real);
-        let is_tilted = gravity[0] != 0.0 || gravity[1] != 0.0;
-        let per_aspect = model.grid.aspect().to_array().map(|a| (1.0 / a) as Real);
-        Self { dt, gravity, is_tilted, mass_moved, light, per_aspect }
-    }
+    pub per_aspect: [Real; 3],
 }
 
 /// A row of nodes.
-pub(crate) struct NodeRow<'a> {
+pub struct NodeRow<'a> {
     /// Mass [kg].
-    pub(crate) mass: &'a [Real],
+    pub mass: &'a [Real],
     /// Velocity half a step ago [m/s].
-    pub(crate) before: [&'a [Real]; 3],
+    pub before: [&'a [Real]; 3],
     /// Displacement since the last remap [m].
-    pub(crate) displacement: [&'a mut [Real]; 3],
+    pub displacement: [&'a mut [Real]; 3],
     /// Velocity half a step ahead [m/s].
-    pub(crate) velocity: [&'a mut [Real]; 3],
+    pub velocity: [&'a mut [Real]; 3],
 }
 
 /// Sums the forces (x, y, z) and the damping that two rows of cells, behind and ahead along y, exert on the
@@ -56,7 +43,7 @@ pub(crate) struct NodeRow<'a> {
 /// `stride` with `nodes` nodes after the first ghost. Mirror images are added first, so that a mirrored case
 /// gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-pub(crate) fn gather_forces(
+pub fn gather_forces(
     [behind, ahead]: [&[Real]; 2],
     [stride, nodes]: [usize; 2],
     below: &mut [Real],
@@ -107,7 +94,7 @@ fn gather_damping([behind, ahead]: [&[Real]; 2], below: &mut [Real], out: &mut [
 /// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay. The sums are rows of
 /// `stride`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-pub(crate) fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, sum: &[Real], stride: usize) {
+pub fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, sum: &[Real], stride: usize) {
     let n = nodes.mass.len();
     let sum_of = |q: usize| &sum[q * stride + 1..][..n];
     for q in 0..3 {
@@ -136,14 +123,9 @@ fn move_component(
     }
 }
 
-/// Sums over a row of nodes: work of gravity, kinetic energy, largest displacements.
+/// Sums over a row of nodes; `buffer` is scratch memory for four numbers a node.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-pub(crate) fn finish_row(
-    constants: &NodeConstants,
-    nodes: &NodeRow,
-    buffer: &mut [Real],
-    sums: &mut RowSums,
-) {
+pub fn finish_row(constants: &NodeConstants, nodes: &NodeRow, buffer: &mut [Real]) -> Measured {
     let n = nodes.mass.len();
     let (gravity, rest) = buffer.split_at_mut(n);
     let (kinetic, rest) = rest.split_at_mut(n);
@@ -153,10 +135,12 @@ pub(crate) fn finish_row(
     if constants.is_tilted {
         add_tilted(constants, nodes, gravity);
     }
-    sums.gravity = lane_sum(gravity);
-    sums.kinetic = lane_sum(kinetic);
-    sums.displacement = lane_max(heavy).into();
-    sums.displacement_light = lane_max(light).into();
+    Measured {
+        gravity: lane_sum(gravity),
+        kinetic: lane_sum(kinetic),
+        displacement: lane_max(heavy).into(),
+        displacement_light: lane_max(light).into(),
+    }
 }
 
 /// For each node: work of gravity, kinetic energy, and the largest component of the displacement over the

@@ -1,0 +1,41 @@
+//! Runs of every kind whose soil is strained on a stand-in for a device: the same bits, whatever the order of
+//! the blocks of threads.
+
+use super::quantities;
+use super::set_ups::{SET_UPS, SetUp};
+use coulter::simulation::Simulation;
+use solver::device::replay::Replay;
+use solver::precision::Precision;
+
+/// Runs a set-up, with a sample of the history on the way.
+fn run<R: Precision>(simulation: &mut Simulation<R>, set_up: &SetUp) {
+    let first = (set_up.steps / 2).max(1);
+    simulation.steps(first).unwrap_or_else(|error| panic!("{}: {error}", set_up.name));
+    simulation.advance().unwrap_or_else(|error| panic!("{}: {error}", set_up.name));
+    let left = set_up.steps.saturating_sub(simulation.state.step as u32);
+    simulation.steps(left).unwrap_or_else(|error| panic!("{}: {error}", set_up.name));
+}
+
+fn compare<R: Precision>(set_up: &SetUp) {
+    let case = set_up.read();
+    let (mut expected, mut found) = (Simulation::<R>::new(&case), Simulation::<R>::new(&case));
+    if found.use_device(Box::new(Replay::default())).is_err() {
+        assert!(expected.model.pore_water.is_some(), "{}", set_up.name);
+        return;
+    }
+    run(&mut expected, set_up);
+    run(&mut found, set_up);
+    let all = |run: &Simulation<R>| quantities(&run.model, &run.model.grid, &run.state);
+    let (expected_all, found_all) = (all(&expected), all(&found));
+    let differ: Vec<_> =
+        expected_all.iter().zip(&found_all).filter(|(a, b)| a != b).map(|(a, _)| &a.0).collect();
+    assert!(differ.is_empty(), "{}: {differ:#?}", set_up.name);
+    assert_eq!(expected.history, found.history, "{}", set_up.name);
+}
+
+#[test]
+fn a_device_changes_no_bit() {
+    for set_up in &SET_UPS {
+        if set_up.is_single() { compare::<f32>(set_up) } else { compare::<f64>(set_up) }
+    }
+}

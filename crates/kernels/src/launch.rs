@@ -1,0 +1,106 @@
+//! What kernels for a device share in both precisions: their names, how rows are flagged, and their sums.
+
+use crate::exact_sum::{ExactSum, NUMBERS};
+
+/// Flag of a row of cells that is strained.
+pub const STRAINED: u8 = 1;
+/// Flag of a row of nodes with soil round it.
+pub const NODES: u8 = 2;
+/// Flag of a row whose sums are those of this grid.
+pub const OWNED: u8 = 4;
+/// Flag of a row of cells in the domain.
+pub const INSIDE: u8 = 8;
+/// Flag of a row of cells of which this grid counts what is dissipated beyond boundaries.
+pub const ACCOUNTED: u8 = 16;
+
+/// Kinds of dissipation of a cell.
+pub const POWERS: usize = 3;
+/// Numbers measured at a node.
+pub const MEASURED: usize = 4;
+/// Sums over a row that are added up: plastic, viscous and hourglass dissipation, work of gravity, kinetic
+/// energy, dissipation beyond boundaries.
+pub const SUMS: usize = 6;
+/// Sums over a row: those, and the largest displacements of heavy and of light nodes.
+pub const ROW_SUMS: usize = SUMS + 2;
+
+/// A sum over a plane.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
+pub struct PlaneSum {
+    /// The terms, added up.
+    pub exact: ExactSum,
+    /// The largest term, 0 if there is none.
+    pub most: f64,
+}
+
+/// Sums over a grid.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Totals {
+    /// [`ExactSum::numbers`] of the sums.
+    pub numbers: [[i64; NUMBERS]; SUMS],
+    /// Largest displacements of heavy and of light nodes [m].
+    pub most: [f64; 2],
+}
+
+/// Nodes or cells, and numbers of each.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct List<R> {
+    /// How many there are.
+    pub count: usize,
+    /// Their indices in memory.
+    pub entries: *const u32,
+    /// The numbers, one node or cell after the other.
+    pub values: *mut R,
+}
+
+/// Calls the macro `$use` with `$given` and the table of the kernels: variant and name of each, the type of
+/// what its launch hands over besides the arrays, and what a thread does, with the arrays `a`, that `more`,
+/// scratch memory for a cell, and its number `n`.
+#[macro_export]
+macro_rules! each_kernel {
+    ($use:ident, $($given:tt)*) => {
+        $use! { ($($given)*)
+            StrainElastic strain_elastic(Material<()>): |a, more, block, n| strain::<_, PLAIN>(a, more, None, block, n);
+            StrainMohrCoulomb strain_mohr_coulomb(Material<MohrCoulomb>): |a, more, block, n| strain::<_, PLAIN>(a, more, Some(mohr_coulomb), block, n);
+            StrainMenetreyWillam strain_menetrey_willam(Material<MenetreyWillam>): |a, more, block, n| strain::<_, PLAIN>(a, more, Some(menetrey_willam), block, n);
+            StrainVonMises strain_von_mises(Material<VonMises>): |a, more, block, n| strain::<_, PLAIN>(a, more, Some(von_mises), block, n);
+            StrainSand strain_sand(Material<Sand>): |a, more, block, n| strain::<_, SAND>(a, more, Some(sand), block, n);
+            StrainClay strain_clay(Material<Clay>): |a, more, block, n| strain::<_, CLAY>(a, more, Some(clay), block, n);
+            MoveNodes move_nodes(u64): |a, _more, _block, n| move_node(a, n);
+            SumRows sum_rows(u64): |a, _more, _block, n| sum_row(a, n);
+            SumPlanes sum_planes(u64): |a, _more, _block, n| sum_plane(a, n);
+            SumAll sum_all(u64): |a, _more, _block, n| total(a, n);
+            TakeNodes take_nodes(List<Real>): |a, more, _block, n| take_node(a, more, n);
+            GiveNodes give_nodes(List<Real>): |a, more, _block, n| give_node(a, more, n);
+            TakeCells take_cells(List<Real>): |a, more, _block, n| take_cell(a, more, n);
+            GiveCells give_cells(List<Real>): |a, more, _block, n| give_cell(a, more, n);
+        }
+    };
+}
+
+macro_rules! declare {
+    (($($given:tt)*) $($variant:ident $name:ident($type:ty): |$a:ident, $more:ident, $block:ident, $n:ident| $does:expr;)*) => {
+        /// A kernel: what each thread of a launch does.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Kernel {
+            $(#[doc = concat!("The entry point `", stringify!($name), "`.")] $variant,)*
+        }
+
+        impl Kernel {
+            /// All kernels.
+            pub const ALL: &[Self] = &[$(Self::$variant,)*];
+
+            /// Name of the entry point.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => stringify!($name),)*
+                }
+            }
+        }
+    };
+}
+
+each_kernel!(declare,);

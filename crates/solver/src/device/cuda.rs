@@ -1,0 +1,141 @@
+//! NVIDIA's devices, by their driver's library, which is looked for when a run asks for one.
+#![allow(unsafe_code)] // The driver's functions take addresses.
+
+use super::{Address, DeviceError, Driver, Launch};
+use ::kernels::launch::Kernel;
+use cudarc::driver::result::{self, DriverError};
+use cudarc::driver::sys;
+use rustc_hash::FxHashMap;
+use std::ffi::{CString, c_void};
+
+/// The kernels for a device, in the language that its driver compiles.
+const PTX: [&str; 2] = [::kernels::PTX_SINGLE, ::kernels::PTX_DOUBLE];
+
+/// Threads in a block: as many as have registers in double precision, twice.
+const BLOCK: u32 = 128;
+
+/// A device.
+#[derive(Debug)]
+pub struct Cuda {
+    /// Its name.
+    pub name: String,
+    context: sys::CUcontext,
+    kernels: FxHashMap<(bool, Kernel), sys::CUfunction>,
+    crossed: u64,
+}
+
+// SAFETY: a context may be made current by any thread, as every method does.
+unsafe impl Send for Cuda {}
+// SAFETY: what is shared is only looked at.
+unsafe impl Sync for Cuda {}
+
+fn failed(what: &str) -> impl Fn(DriverError) -> DeviceError + '_ {
+    move |error| DeviceError(format!("{what}: {error}"))
+}
+
+impl Cuda {
+    /// The device of this number.
+    ///
+    /// # Errors
+    /// [`DeviceError`] if there is no driver or no such device, or if it does not take the kernels.
+    pub fn new(number: u32) -> Result<Self, DeviceError> {
+        // SAFETY: the library is the driver's.
+        if !unsafe { sys::is_culib_present() } {
+            return Err(DeviceError("no driver of NVIDIA was found (libcuda)".to_owned()));
+        }
+        result::init().map_err(failed("the driver does not start"))?;
+        let device = result::device::get(number as i32).map_err(failed("there is no such device"))?;
+        let name = result::device::get_name(device).map_err(failed("the device has no name"))?;
+        // SAFETY: the device is one.
+        let context = unsafe { result::primary_ctx::retain(device) }.map_err(failed(&name))?;
+        let mut cuda = Self { name, context, kernels: FxHashMap::default(), crossed: 0 };
+        cuda.enter()?;
+        for (is_double, text) in [false, true].into_iter().zip(PTX) {
+            cuda.load(is_double, text)?;
+        }
+        Ok(cuda)
+    }
+
+    fn load(&mut self, is_double: bool, text: &str) -> Result<(), DeviceError> {
+        let text = CString::new(text).map_err(|error| DeviceError(error.to_string()))?;
+        // SAFETY: the text is a module, and ends with a zero.
+        let module = unsafe { result::module::load_data(text.as_ptr().cast::<c_void>()) }
+            .map_err(failed("the device does not take the kernels"))?;
+        for kernel in Kernel::ALL {
+            let name = CString::new(kernel.name()).map_err(|error| DeviceError(error.to_string()))?;
+            // SAFETY: the module was loaded.
+            let function =
+                unsafe { result::module::get_function(module, name) }.map_err(failed(kernel.name()))?;
+            self.kernels.insert((is_double, *kernel), function);
+        }
+        Ok(())
+    }
+
+    /// Makes the device that of the calling thread.
+    fn enter(&self) -> Result<(), DeviceError> {
+        // SAFETY: the context was retained.
+        unsafe { result::ctx::set_current(self.context) }.map_err(failed("the device does not answer"))
+    }
+}
+
+impl Driver for Cuda {
+    fn allocate(&mut self, bytes: usize) -> Result<Address, DeviceError> {
+        self.enter()?;
+        let what = format!("{bytes} bytes are not free on the device");
+        // SAFETY: what was reserved is set to zero at once.
+        let address = unsafe { result::malloc_sync(bytes.max(1)) }.map_err(failed(&what))?;
+        // SAFETY: as above.
+        unsafe { result::memset_d8_sync(address, 0, bytes.max(1)) }.map_err(failed(&what))?;
+        Ok(Address(address))
+    }
+
+    fn free(&mut self, address: Address) {
+        // What cannot be given back is given back when the program ends.
+        // SAFETY: the solver gives back what it reserved, once.
+        let _ = self.enter().map(|()| unsafe { result::free_sync(address.0) });
+    }
+
+    fn clear(&mut self, at: Address, bytes: usize) -> Result<(), DeviceError> {
+        self.enter()?;
+        // SAFETY: as many bytes were reserved there.
+        unsafe { result::memset_d8_sync(at.0, 0, bytes) }.map_err(failed("clearing memory of the device"))
+    }
+
+    fn write(&mut self, to: Address, bytes: &[u8]) -> Result<(), DeviceError> {
+        self.enter()?;
+        self.crossed += bytes.len() as u64;
+        // SAFETY: as many bytes were reserved there.
+        unsafe { result::memcpy_htod_sync(to.0, bytes) }.map_err(failed("copying to the device"))
+    }
+
+    fn read(&mut self, from: Address, bytes: &mut [u8]) -> Result<(), DeviceError> {
+        self.enter()?;
+        self.crossed += bytes.len() as u64;
+        // SAFETY: as many bytes were reserved there.
+        unsafe { result::memcpy_dtoh_sync(bytes, from.0) }.map_err(failed("copying from the device"))
+    }
+
+    fn launch(&mut self, launch: Launch) -> Result<(), DeviceError> {
+        self.enter()?;
+        let blocks = u32::try_from(launch.threads.div_ceil(BLOCK as usize))
+            .map_err(|_| DeviceError("the grid has too many cells for a device".to_owned()))?;
+        let function = self.kernels[&(launch.is_double, launch.kernel)];
+        let mut arguments = launch.arguments.map(|argument| argument.cast_mut().cast::<c_void>());
+        // SAFETY: the arguments are those that the kernel takes.
+        unsafe {
+            result::launch_kernel(
+                function,
+                (blocks, 1, 1),
+                (BLOCK, 1, 1),
+                0,
+                std::ptr::null_mut(),
+                &mut arguments,
+            )
+        }
+        .map_err(failed(launch.kernel.name()))
+    }
+
+    fn crossed(&self) -> u64 {
+        self.crossed
+    }
+}
