@@ -7,6 +7,7 @@ use crate::source::{Source, SourceText, count, request};
 use coulter::confidence::Wanted;
 use coulter::confidence::variations::ErrorSource;
 use coulter::interrupts::Interrupts;
+use coulter::run::Device;
 use coulter::run::{Accuracy, Follower, NoFollower, Start};
 use coulter_cli::{Failure, PreparedRun, RunRequest, asked, budget, error_source, graded};
 use pyo3::prelude::*;
@@ -63,6 +64,7 @@ impl RunCall {
             variations,
             accuracy: accuracy.map(|wanted| Accuracy { wanted, budget: budget.unwrap_or_default(), without }),
             quiet: self.quiet,
+            device: Device::Processor,
         })
     }
 }

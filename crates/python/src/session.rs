@@ -7,6 +7,7 @@ use crate::run::start;
 use crate::source::{Source, SourceText, count, request};
 use coulter::interrupts::Interrupts;
 use coulter::mechanics::{Mobility, Pose, Twist, Wrench};
+use coulter::run::Device;
 use coulter::session::{Said, Session as Line};
 use coulter::simulation::{Command, Coupled, Exchange, Reaction, Wish};
 use coulter_cli::{Failure, PreparedRun, RunRequest, graded};
@@ -118,6 +119,7 @@ impl Session {
             variations: None,
             accuracy: None,
             quiet: true,
+            device: Device::Processor,
         };
         let prepared = py.detach(|| wanted.prepare()).map_err(|failure| raised(&failure))?;
         for warning in &prepared.warnings {

@@ -6,7 +6,7 @@ use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::{DeviceError, Driver};
+use crate::device::{self, DeviceError, Driver};
 use crate::error::Breakdown;
 use crate::ghosts::Beyond;
 use crate::grid::Grid;
@@ -134,9 +134,7 @@ impl<R: Kernels> Workspace<R> {
         state: &State<R>,
         driver: Box<dyn Driver>,
     ) -> Result<(), DeviceError> {
-        if model.pore_water.is_some() {
-            return Err(DeviceError("pore water flows on the processor alone".to_owned()));
-        }
+        device::require::<R>(model, &*driver)?;
         if !self.halo.is_alone() {
             return Err(DeviceError("a grid in several blocks is strained on processors alone".to_owned()));
         }

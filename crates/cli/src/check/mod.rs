@@ -9,14 +9,18 @@ use crate::failure::Failure;
 use crate::run_time;
 use cost::describe_cost;
 use coulter::case::estimate::{self, Cost};
+use coulter::case::model::model;
+use coulter::case::resolved::Precision;
 use coulter::case::{self, Case, machine, resources};
 use coulter::confidence::variations::{Asked, variations};
 use coulter::formats;
 use coulter::history::reference::Groups;
 use describe::describe;
 pub(super) use describe::describe_soil;
+use solver::device::{self, Device, Driver};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 use variation_cost::VariationCosts;
 
 #[derive(Debug, clap::Args)]
@@ -29,6 +33,9 @@ pub(super) struct Arguments {
     /// Take soil under water for drained, whatever its drainage number
     #[arg(long)]
     accept_drained: bool,
+    /// Also show what the case takes on a graphics card (gpu, or gpu:1 for the second), and whether it fits
+    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
+    device: Device,
     /// Also show the meshes that `coulter run --meshes N` would run, and what they cost together
     #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
     meshes: Option<usize>,
@@ -69,6 +76,9 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
         return as_json(document, variations.as_ref());
     }
     let mut text = described(&case, &cost, seconds);
+    if arguments.device != Device::Processor {
+        let _ = writeln!(text, "device   {}", on_device(&case, arguments.device));
+    }
     // Writing to a string cannot fail.
     let _ = variations.iter().try_for_each(|costs| costs.describe(&mut text));
     for warning in warnings.iter().take(MAX_WARNINGS) {
@@ -78,6 +88,28 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
         let _ = writeln!(text, "warning  … and {more} more; --json lists all");
     }
     say(&text)
+}
+
+/// What a case takes on a device, and whether that can run it.
+fn on_device(case: &Case, device: Device) -> String {
+    let opened = device.open();
+    let required = |driver: &dyn Driver| match case.numerics.precision {
+        Precision::Double => device::require::<f64>(&model(case, 1), driver),
+        Precision::Single => device::require::<f32>(&model(case, 1), driver),
+    };
+    let needed = match case.numerics.precision {
+        Precision::Double => device::footprint::<f64>(&model(case, 1)),
+        Precision::Single => device::footprint::<f32>(&model(case, 1)),
+    };
+    let verdict = match opened {
+        Ok(None) => String::new(),
+        Ok(Some(driver)) => match required(&*driver) {
+            Ok(()) => format!("it runs on {}", driver.name()),
+            Err(why) => format!("it does not run: {why}"),
+        },
+        Err(why) => why.to_string(),
+    };
+    format!("{} of its memory; {verdict}", resources::format_bytes(needed))
 }
 
 /// A case as understood and what it costs, in words; without the time that it takes, which would have to be

@@ -11,7 +11,9 @@ use coulter::case;
 use coulter::confidence::Wanted;
 use coulter::confidence::variations::ErrorSource;
 use coulter::run::{Accuracy, Budget, NoFollower, Start};
+use solver::device::Device;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 pub use request::{PreparedRun, RunRequest, graded};
 
@@ -31,6 +33,10 @@ pub(super) struct Arguments {
     /// on one machine share its cores)
     #[arg(long, value_name = "N", value_parser = crate::common::threads())]
     threads: Option<u16>,
+    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA (gpu:1 for the second), or stand-in, the
+    /// kernels of the card on the processor, for comparison; all give the same bits
+    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
+    device: Device,
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
@@ -88,6 +94,7 @@ impl Arguments {
                 without: self.without.clone(),
             }),
             quiet: self.json,
+            device: self.device,
         })
     }
 

@@ -11,6 +11,7 @@ use coulter::output::{OutputError, Summary, checkpoint};
 use coulter::run::{self, Accuracy, Budget, End, Follower, Request, RunError, RunOptions, Start};
 use coulter::simulation::Steerer;
 use coulter::trust::Verdict;
+use solver::device::Device;
 use std::path::PathBuf;
 
 /// What is to be run, and how.
@@ -34,6 +35,8 @@ pub struct RunRequest {
     pub accuracy: Option<Accuracy>,
     /// Show no progress.
     pub quiet: bool,
+    /// What strains the soil.
+    pub device: Device,
 }
 
 /// A run that is ready to begin.
@@ -47,6 +50,7 @@ pub struct PreparedRun {
     pub warnings: Vec<String>,
     start: Start,
     quiet: bool,
+    device: Device,
     typed: String,
     source_name: String,
     plan: Option<(VariationPlan, Option<Budget>)>,
@@ -96,6 +100,7 @@ impl RunRequest {
             warnings,
             start,
             quiet,
+            device: self.device,
             typed,
             source_name: self.source_name.clone(),
             plan,
@@ -128,6 +133,7 @@ impl PreparedRun {
             typed: &self.typed,
             source_name: &self.source_name,
             communicator: processes::communicator,
+            device: self.device,
         }
     }
 

@@ -30,6 +30,7 @@ pub use confidence::{Budget, Request, relative_cost, run_confidence};
 pub use options::{End, Follower, NoFollower, RunError, RunOptions, Start, alone};
 use part::Part;
 use processes::Processes;
+pub use solver::device::Device;
 use start::{Opened, ended_before, lock, open};
 
 /// Runs a case and writes its results.

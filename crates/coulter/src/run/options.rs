@@ -7,6 +7,7 @@ use input::CaseError;
 use report::Summary;
 use results::OutputError;
 use results::history::History;
+use solver::device::{Device, DeviceError};
 use solver::error::Breakdown;
 use solver::halo::{Alone, Communicator};
 use std::path::{Path, PathBuf};
@@ -44,6 +45,8 @@ pub struct RunOptions<'a> {
     pub source_name: &'a str,
     /// The communicator of the run, asked for at its start; [`alone`] for a run in one process.
     pub communicator: fn() -> Box<dyn Communicator>,
+    /// What strains the soil.
+    pub device: Device,
 }
 
 impl<'a> RunOptions<'a> {
@@ -65,6 +68,7 @@ impl<'a> RunOptions<'a> {
             typed,
             source_name,
             communicator: alone,
+            device: Device::Processor,
         }
     }
 }
@@ -111,6 +115,9 @@ pub enum RunError {
     /// The grid cannot be cut into as many blocks as there are processes; nothing was written.
     #[error(transparent)]
     Blocks(#[from] TooManyBlocks),
+    /// The device that the run asks for is not there, or cannot run the case; nothing was written.
+    #[error("--device: {0}")]
+    Device(#[from] DeviceError),
     /// Another process of the run has failed, and says why.
     #[error("another process of the run has failed")]
     Elsewhere,

@@ -13,6 +13,7 @@ use results::OutputError;
 use results::checkpoint::{self, Checkpoint};
 use results::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
 use results::vtk::FieldSeries;
+use solver::device::{self, Driver};
 use solver::grid::Grid;
 use solver::model::Model;
 use solver::precision::Precision;
@@ -143,6 +144,7 @@ fn resume<R: Precision>(
     (mut processes, (checkpoint, damaged), wall_s): (Processes, (Checkpoint<R>, Option<String>), f64),
 ) -> Result<Opened<R>, RunError> {
     let (history, time, step) = (checkpoint.history.clone(), checkpoint.state.time, checkpoint.state.step);
+    let driver = options.device.open()?;
     let results = processes.first_alone(|| {
         let mut results = Results::resume(options.folder, case, &history)?;
         if let Some(problem) = damaged {
@@ -153,7 +155,8 @@ fn resume<R: Precision>(
         Ok(results)
     })?;
     let fields = FieldSeries::resume(options.folder, time)?;
-    let simulation = Simulation::resume_block(case, checkpoint, processes.into_communicator(), wall_s)?;
+    let mut simulation = Simulation::resume_block(case, checkpoint, processes.into_communicator(), wall_s)?;
+    let results = on_device(&mut simulation, driver, results)?;
     Ok(Opened { simulation, fields, results })
 }
 
@@ -162,6 +165,10 @@ fn create<R: Precision>(
     options: &RunOptions,
     (mut processes, why): (Processes, Option<String>),
 ) -> Result<Opened<R>, RunError> {
+    let driver = options.device.open()?;
+    if let Some(driver) = &driver {
+        device::require::<R>(&case::model::model(case, R::LANES), &**driver)?;
+    }
     let may_replace = options.start == Start::Replace || why.is_some();
     let mut results = processes.first_alone(|| {
         let results = Results::create(options.folder, case, may_replace)?;
@@ -169,7 +176,8 @@ fn create<R: Precision>(
         Ok(results)
     })?;
     let mut fields = FieldSeries::create(options.folder)?;
-    let simulation = Simulation::<R>::of_block(case, processes.into_communicator())?;
+    let mut simulation = Simulation::<R>::of_block(case, processes.into_communicator())?;
+    results = on_device(&mut simulation, driver, results)?;
     if let Some(results) = &mut results {
         log_start(&simulation, results, (options, why))?;
         overlay_forecast(case, results)?;
@@ -178,6 +186,22 @@ fn create<R: Precision>(
     fields.write(case, (&model.grid, simulation.halo()), state, history)?;
     simulation.checkpoint().write(options.folder)?;
     Ok(Opened { simulation, fields, results })
+}
+
+/// Has a device strain the soil, if one is asked for, and says so in the log.
+fn on_device<R: Precision>(
+    simulation: &mut Simulation<R>,
+    driver: Option<Box<dyn Driver>>,
+    mut results: Option<Results>,
+) -> Result<Option<Results>, RunError> {
+    if let Some(driver) = driver {
+        let name = driver.name().to_owned();
+        simulation.use_device(driver)?;
+        if let Some(results) = &mut results {
+            results.log.line(&format!("the soil is strained by {name}"))?;
+        }
+    }
+    Ok(results)
 }
 
 /// What the log says at the start of a run.

@@ -17,8 +17,7 @@ const BLOCK: u32 = 128;
 /// A device.
 #[derive(Debug)]
 pub struct Cuda {
-    /// Its name.
-    pub name: String,
+    name: String,
     context: sys::CUcontext,
     kernels: FxHashMap<(bool, Kernel), sys::CUfunction>,
     crossed: u64,
@@ -137,5 +136,14 @@ impl Driver for Cuda {
 
     fn crossed(&self) -> u64 {
         self.crossed
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn free_memory(&self) -> Option<f64> {
+        self.enter().ok()?;
+        result::mem_get_info().ok().map(|(free, _)| free as f64)
     }
 }

@@ -97,4 +97,12 @@ impl Driver for Replay {
     fn crossed(&self) -> u64 {
         self.crossed
     }
+
+    fn name(&self) -> &str {
+        "the processor in place of a graphics card"
+    }
+
+    fn free_memory(&self) -> Option<f64> {
+        None
+    }
 }

@@ -55,7 +55,7 @@ pub(crate) fn average(model: &Model, soil: &mut Soil, workspace: &mut Workspace,
 /// The passes along the axes, and how often they are repeated.
 fn passes(grid: &Grid, length: f64) -> (Vec<Pass>, usize) {
     let variance = 0.5 * length * length;
-    let count = (0.5 * variance / (MOST_DIFFUSION * grid.finest().powi(2))).ceil().max(1.0);
+    let count = (0.5 * variance / (MOST_DIFFUSION * grid.finest() * grid.finest())).ceil().max(1.0);
     let diffusion = 0.5 * variance / count;
     let axes = (0..3).filter(|axis| grid.whole_cells()[*axis] > 1);
     let passes = axes.map(|axis| {
