@@ -6,14 +6,18 @@
 
 mod amplitude;
 mod bodies;
+mod body_keys;
+mod box_keys;
 mod case_text;
 mod closed;
 mod compose;
 mod contact;
 mod eulerian;
+mod facts;
 mod fill;
 mod frame;
 mod gravity;
+mod ground_keys;
 mod hull;
 mod masses;
 mod motion;
