@@ -25,7 +25,7 @@ pub(super) fn read(state: &mut State, number: usize, block: &Block) -> Read {
     Ok(Verdict::Pending)
 }
 
-/// Amplitudes, interactions, contact, connector behaviours, initial conditions.
+/// Amplitudes, interactions, contact, initial conditions.
 pub(super) fn tables(state: &mut State, number: usize, block: &Block) -> Read {
     match block.keyword.as_str() {
         "AMPLITUDE" => amplitude(state, number, block),
@@ -44,22 +44,28 @@ pub(super) fn tables(state: &mut State, number: usize, block: &Block) -> Read {
             "" => Err(Wrong::at(row.place, "two surfaces and an interaction were expected")),
             name => Ok(name.to_uppercase()),
         }),
-        "CONNECTOR BEHAVIOR" => {
-            let name = block.required("NAME")?;
-            state.deck.behaviours.insert(name.clone(), vec![number]);
-            state.behaviour = Some(name);
-            Ok(Verdict::Pending)
-        }
-        "INITIAL CONDITIONS" => {
+        _ => {
             state.deck.initial.push((number, block.required("TYPE")?));
             Ok(Verdict::Pending)
         }
-        _ => {
-            let open = state.behaviour.as_ref().and_then(|name| state.deck.behaviours.get_mut(name));
-            open.ok_or("no connector behaviour is open")?.push(number);
-            Ok(Verdict::Pending)
-        }
     }
+}
+
+/// Connector behaviours and their tables.
+pub(super) fn connectors(state: &mut State, number: usize, block: &Block) -> Read {
+    // Friction that follows is that of the connector.
+    state.interaction = None;
+    if block.keyword == "CONNECTOR BEHAVIOR" {
+        let name = block.required("NAME")?;
+        if state.deck.behaviours.insert(name.clone(), vec![number]).is_some() {
+            return Err(format!("there are two connector behaviours {name}").into());
+        }
+        state.behaviour = Some(name);
+        return Ok(Verdict::Pending);
+    }
+    let open = state.behaviour.as_ref().and_then(|name| state.deck.behaviours.get_mut(name));
+    open.ok_or("no connector behaviour is open")?.push(number);
+    Ok(Verdict::Pending)
 }
 
 fn pair(state: &mut State, number: usize, block: &Block, of: impl Fn(&Row) -> Result<String, Wrong>) -> Read {

@@ -76,6 +76,10 @@ fn elements(state: &mut State, block: &Block) -> Read {
     let mut rows = block.rows.iter();
     while let Some(row) = rows.next() {
         let mut fields: Vec<&str> = row.fields();
+        if size == 2 && fields.len() == 2 {
+            // The second end of a connector is the ground.
+            fields.push("");
+        }
         // A line that ends in a comma goes on in the next.
         while fields.len() < size + 1 && fields.len() > 1 {
             let Some(next) = rows.next() else { break };
@@ -104,14 +108,14 @@ pub(super) fn add(state: &mut State, label: u32, element: Element, row: &Row) ->
 }
 
 /// The node that an element names: a label, or in the assembly `INSTANCE.LABEL`; a connector's ground is 0.
-fn node(state: &State, field: &str) -> Option<Id> {
+pub(super) fn node(state: &State, field: &str) -> Option<Id> {
     match field.rsplit_once('.') {
         Some((instance, number)) => {
             let name = instance.to_uppercase();
             let region = state.deck.regions.iter().position(|region| region.name == name)?;
             Some(Id { region, label: label(number)? })
         }
-        None if field.is_empty() => Some(Id { region: state.number(), label: 0 }),
+        None if ["", "0"].contains(&field) => Some(Id { region: state.number(), label: 0 }),
         None => Some(state.id(label(field)?)),
     }
 }

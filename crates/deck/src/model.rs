@@ -53,6 +53,8 @@ pub struct RigidBody {
     pub elements: Option<String>,
     /// Analytical surface, if any.
     pub surface: Option<String>,
+    /// Set of nodes that are tied to it, if any.
+    pub tied: Option<String>,
 }
 
 /// A section or another property of an element set.
@@ -87,8 +89,8 @@ pub struct Region {
     pub rigid_bodies: Vec<RigidBody>,
     /// Sections, masses, rotary inertias, connector sections.
     pub sections: Vec<Section>,
-    /// Orientations: two points, a on the first axis and b in the plane of the first two.
-    pub orientations: HashMap<String, (usize, [f64; 6])>,
+    /// Orientations, with their blocks: the directions of their three axes.
+    pub orientations: HashMap<String, (usize, [[f64; 3]; 3])>,
     /// Blocks that made it, in the order of the deck.
     pub blocks: Vec<usize>,
 }
@@ -126,7 +128,8 @@ pub struct Amplitude {
     pub points: Vec<[f64; 2]>,
 }
 
-/// A block of a step or of the model that acts on something: `BOUNDARY`, `CLOAD`, `DLOAD`.
+/// A block of a step or of the model that acts on something: `BOUNDARY`, `CLOAD`, `DLOAD`,
+/// `CONNECTOR MOTION`, `CONNECTOR LOAD`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Action {
     /// Its block; the keyword says what it is.
@@ -207,7 +210,7 @@ pub struct Deck {
     pub interactions: Vec<Interaction>,
     /// Which interaction belongs to which surfaces.
     pub pairings: Vec<Pairing>,
-    /// Tables of connector behaviours, by the name of the behaviour.
+    /// Blocks of connector behaviours by their name: that of the name, and its tables.
     pub behaviours: HashMap<String, Vec<usize>>,
     /// Blocks that the reader knows nothing of, and output requests: whoever uses the deck must say what
     /// becomes of them.

@@ -40,6 +40,14 @@ pub(super) fn about(axis: [f64; 3], degrees: f64) -> Option<[[f64; 3]; 3]> {
     Some(matrix.map(|row| row.map(snapped)))
 }
 
+/// A right-handed set of axes: the first along `a`, the second in the plane of both; `None` where they lie in
+/// a line.
+pub(super) fn axes(a: [f64; 3], b: [f64; 3]) -> Option<[[f64; 3]; 3]> {
+    let first = unit(a)?;
+    let third = unit(cross(first, b))?;
+    Some([first, cross(third, first), third])
+}
+
 /// A vector of length 1; `None` for 0.
 pub(super) fn unit(vector: [f64; 3]) -> Option<[f64; 3]> {
     let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -47,6 +55,6 @@ pub(super) fn unit(vector: [f64; 3]) -> Option<[f64; 3]> {
 }
 
 /// The vector product.
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

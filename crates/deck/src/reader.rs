@@ -57,11 +57,10 @@ fn read(state: &mut State, number: usize, block: &Block) -> Read {
         | "FRICTION"
         | "CONTACT PAIR"
         | "CONTACT PROPERTY ASSIGNMENT"
-        | "CONNECTOR BEHAVIOR"
-        | "CONNECTOR ELASTICITY"
-        | "CONNECTOR DAMPING"
         | "INITIAL CONDITIONS" => materials::tables(state, number, block),
-        "STEP" | "END STEP" | "DYNAMIC" | "BOUNDARY" | "CLOAD" | "DLOAD" => steps::read(state, number, block),
+        "STEP" | "END STEP" | "DYNAMIC" | "BOUNDARY" | "CLOAD" | "DLOAD" | "CONNECTOR MOTION"
+        | "CONNECTOR LOAD" => steps::read(state, number, block),
+        connector if connector.starts_with("CONNECTOR ") => materials::connectors(state, number, block),
         _ => Ok(Verdict::Unknown),
     }
 }

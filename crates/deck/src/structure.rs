@@ -2,7 +2,7 @@
 
 use crate::block::{Block, Row, Wrong};
 use crate::model::{Id, Region};
-use crate::placement::{Moved, about, cross, unit};
+use crate::placement::{Moved, about, axes};
 use crate::state::{Read, State, Verdict};
 
 pub(super) fn read(state: &mut State, number: usize, block: &Block) -> Read {
@@ -76,10 +76,7 @@ fn placed(mut region: Region, moved: &Moved, number: usize) -> Region {
     let sets = region.node_sets.values_mut().chain(region.element_sets.values_mut());
     sets.flatten().for_each(|id| id.region = number);
     region.elements.values_mut().flat_map(|element| &mut element.nodes).for_each(|id| id.region = number);
-    for (_, points) in region.orientations.values_mut() {
-        let [a, b] = [0, 3].map(|at| moved.direction([points[at], points[at + 1], points[at + 2]]));
-        *points = [a[0], a[1], a[2], b[0], b[1], b[2]];
-    }
+    region.orientations.values_mut().for_each(|(_, axes)| *axes = axes.map(|axis| moved.direction(axis)));
     for (_, surface) in region.surfaces.values_mut() {
         if let crate::model::Surface::Revolution { origin, axis, .. } = surface {
             (*origin, *axis) = (moved.point(*origin), moved.direction(*axis));
@@ -140,11 +137,8 @@ fn system(state: &mut State, block: &Block) -> Read {
                 [x, y, z] => [x, y, z],
                 _ => return Err("three points were expected at most".into()),
             };
-            let along = [bx - ax, by - ay, bz - az];
-            let wrong = "the three points lie in a line";
-            let first = unit(along).ok_or(wrong)?;
-            let third = unit(cross(first, [c[0] - ax, c[1] - ay, c[2] - az])).ok_or(wrong)?;
-            let second = cross(third, first);
+            let axes = axes([bx - ax, by - ay, bz - az], [c[0] - ax, c[1] - ay, c[2] - az]);
+            let [first, second, third] = axes.ok_or("the three points lie in a line")?;
             let rotation = [0, 1, 2].map(|n| [first[n], second[n], third[n]]);
             Some(Moved { rotation, translation: [ax, ay, az] })
         }

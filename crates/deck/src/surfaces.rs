@@ -1,8 +1,9 @@
 //! Surfaces, rigid bodies, orientations, and sections of element sets.
 
 use crate::block::{Block, Row, Wrong};
-use crate::model::{RigidBody, Section, Surface};
-use crate::placement::unit;
+use crate::mesh::node;
+use crate::model::{Id, RigidBody, Section, Surface};
+use crate::placement::{Moved, about, axes, unit};
 use crate::state::{Read, State, Verdict};
 
 pub(super) fn read(state: &mut State, number: usize, block: &Block) -> Read {
@@ -19,9 +20,10 @@ pub(super) fn read(state: &mut State, number: usize, block: &Block) -> Read {
                 reference: block.required("REF NODE")?,
                 elements: block.word("ELSET"),
                 surface: block.word("ANALYTICAL SURFACE"),
+                tied: block.word("TIE NSET"),
             };
-            if body.elements.is_none() && body.surface.is_none() {
-                return Err("ELSET= or ANALYTICAL SURFACE= is missing".into());
+            if [&body.elements, &body.surface, &body.tied].into_iter().all(Option::is_none) {
+                return Err("ELSET=, ANALYTICAL SURFACE= or TIE NSET= is missing".into());
             }
             state.region().rigid_bodies.push(body);
             Ok(Verdict::Pending)
@@ -42,25 +44,68 @@ pub(super) fn section(state: &mut State, number: usize, block: &Block) -> Read {
     Ok(Verdict::Pending)
 }
 
+/// Axes through points a and b, from c or the origin; then turned about one of them.
 fn orientation(state: &mut State, number: usize, block: &Block) -> Read {
     let name = block.required("NAME")?;
-    let plain = block.word("SYSTEM").is_none_or(|system| system == "RECTANGULAR");
-    if !plain || block.word("DEFINITION").is_some_and(|how| how != "COORDINATES") {
-        return Err("only rectangular orientations by coordinates are read".into());
+    if block.word("SYSTEM").is_some_and(|system| system != "RECTANGULAR") {
+        return Err("only rectangular orientations are read".into());
     }
-    let row = block.rows.first().ok_or("a line with two points was expected")?;
-    let Ok(mut points) = <[f64; 6]>::try_from(row.numbers()?) else {
-        return Err(Wrong::at(row.place, "six numbers were expected: the points a and b"));
+    let [row, turned @ ..] = block.rows.as_slice() else {
+        return Err("a line with two points was expected".into());
     };
-    if state.instance.is_some() {
-        let zero = state.moved.point([0.0; 3]);
-        for at in [0, 3] {
-            let moved = state.moved.point([points[at], points[at + 1], points[at + 2]]);
-            (0..3).for_each(|axis| points[at + axis] = moved[axis] - zero[axis]);
-        }
+    let definition = block.word("DEFINITION");
+    let points = match definition.as_deref() {
+        None | Some("COORDINATES") => by_coordinates(state, row)?,
+        Some("NODES") => by_nodes(state, row)?,
+        Some(_) => return Err("only orientations by coordinates or nodes are read".into()),
+    };
+    let [a, b] = [points[0], points[1]].map(|point| [0, 1, 2].map(|axis| point[axis] - points[2][axis]));
+    let mut axes = axes(a, b).ok_or_else(|| Wrong::at(row.place, "points a, b and c lie in a line"))?;
+    if let Some(row) = turned.first() {
+        let (axis, angle) = (row.number(0)?.unwrap_or(1.0), row.number(1)?.unwrap_or(0.0));
+        let axis = [1.0, 2.0, 3.0].iter().position(|n| *n == axis);
+        let axis =
+            axis.ok_or_else(|| Wrong::at(row.place, "an axis from 1 to 3 and an angle were expected"))?;
+        let rotation = about(axes[axis], angle).ok_or_else(|| Wrong::at(row.place, "no axis"))?;
+        let turn = Moved { rotation, translation: [0.0; 3] };
+        axes = axes.map(|axis| turn.direction(axis));
     }
-    state.region().orientations.insert(name, (number, points));
+    if let Some(row) = turned.get(1) {
+        return Err(Wrong::at(row.place, "two lines of data were expected at most"));
+    }
+    state.region().orientations.insert(name, (number, axes));
     Ok(Verdict::Pending)
+}
+
+/// Points a, b and c, of which the last may be left out: the origin.
+fn by_coordinates(state: &State, row: &Row) -> Result<[[f64; 3]; 3], Wrong> {
+    let mut numbers = row.numbers()?;
+    if numbers.len() < 4 || numbers.len() > 9 {
+        return Err(Wrong::at(row.place, "six or nine numbers were expected: points a, b and c"));
+    }
+    numbers.resize(9, 0.0);
+    Ok([0, 3, 6].map(|at| placed(state, [numbers[at], numbers[at + 1], numbers[at + 2]])))
+}
+
+/// A point of an open instance where that stands.
+fn placed(state: &State, point: [f64; 3]) -> [f64; 3] {
+    if state.instance.is_some() { state.moved.point(point) } else { point }
+}
+
+fn by_nodes(state: &mut State, row: &Row) -> Result<[[f64; 3]; 3], Wrong> {
+    let mut points = [placed(state, [0.0; 3]); 3];
+    for (point, field) in points.iter_mut().zip(row.fields()) {
+        let id = node(state, field);
+        let own = |id: Id| {
+            let regions = &state.deck.regions;
+            let region =
+                state.part.as_ref().or(state.instance.as_ref().filter(|_| id.region == regions.len()));
+            region.or(regions.get(id.region))?.nodes.get(&id.label).copied()
+        };
+        *point =
+            id.and_then(own).ok_or_else(|| Wrong::at(row.place, format!("there is no node {field:?}")))?;
+    }
+    Ok(points)
 }
 
 fn surface(state: &State, block: &Block) -> Result<Surface, Wrong> {
@@ -97,9 +142,8 @@ fn revolution(state: &State, block: &Block) -> Result<Surface, Wrong> {
         axis = along.ok_or_else(|| Wrong::at(first.place, "the two points of the axis are the same"))?;
         (origin, rows) = ([ax, ay, az], rest);
     }
-    let moved = |point: [f64; 3]| if state.instance.is_some() { state.moved.point(point) } else { point };
-    let tip = moved([0, 1, 2].map(|n| origin[n] + axis[n]));
-    let origin = moved(origin);
+    let tip = placed(state, [0, 1, 2].map(|n| origin[n] + axis[n]));
+    let origin = placed(state, origin);
     let axis = [0, 1, 2].map(|n| tip[n] - origin[n]);
     Ok(Surface::Revolution { origin, axis, profile: profile(rows)? })
 }

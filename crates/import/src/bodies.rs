@@ -1,9 +1,9 @@
-//! The rigid bodies of a deck: name, reference node, surface.
+//! The rigid bodies of a deck: name, reference node, surface. A node alone at the end of a connector is one, too.
 
 use crate::hull::{self, Hull};
 use crate::notes::Notes;
-use deck::model::{Id, RigidBody, Surface};
-use std::collections::HashSet;
+use deck::model::{Id, RigidBody, Section, Surface};
+use std::collections::{HashMap, HashSet};
 
 /// A rigid body, in axes and units of the deck.
 pub(super) struct Body {
@@ -14,12 +14,62 @@ pub(super) struct Body {
     /// Its reference node, and where that is.
     pub(super) reference: Id,
     pub(super) position: [f64; 3],
-    /// Its elements.
+    /// Its elements, and nodes besides theirs that move with it.
     pub(super) elements: HashSet<Id>,
-    /// Its surface in triangles.
+    pub(super) tied: Vec<Id>,
+    /// Its surface in triangles; of a frame, which has none, its reference point alone.
     pub(super) hull: Hull,
     /// Its analytical surface, with its name.
     pub(super) analytical: Option<(String, Surface)>,
+}
+
+impl Body {
+    /// Whether it has no surface.
+    pub(super) fn is_frame(&self) -> bool {
+        self.hull.triangles.is_empty()
+    }
+}
+
+/// The nodes of all bodies, with the number of their body.
+pub(super) fn owners(notes: &Notes, bodies: &[Body]) -> HashMap<Id, usize> {
+    let deck = notes.deck;
+    let mut found = HashMap::new();
+    for (number, body) in bodies.iter().enumerate() {
+        let elements = body.elements.iter().filter_map(|id| deck.element(*id));
+        let nodes = elements.flat_map(|element| &element.nodes).chain(&body.tied);
+        found.extend(nodes.chain([&body.reference]).map(|id| (*id, number)));
+    }
+    found
+}
+
+/// Nodes alone at the ends of connectors as bodies without a surface.
+pub(super) fn add_points(notes: &mut Notes, bodies: &mut Vec<Body>) {
+    let deck = notes.deck;
+    let mut known: HashSet<Id> = owners(notes, bodies).into_keys().collect();
+    for (region, own) in deck.regions.iter().enumerate() {
+        let of = |section: &&Section| deck.blocks[section.block].keyword == "CONNECTOR SECTION";
+        for section in own.sections.iter().filter(of) {
+            let ids = deck.elements(region, &section.elements).unwrap_or_default();
+            let nodes = ids.iter().filter_map(|id| deck.element(*id)).flat_map(|element| &element.nodes);
+            for id in nodes.filter(|id| id.label > 0) {
+                let Some(position) = deck.node(*id).filter(|_| known.insert(*id)) else { continue };
+                let mut name = format!("point-{}", id.label);
+                while bodies.iter().any(|other| other.name == name) {
+                    name.push_str("-b");
+                }
+                bodies.push(Body {
+                    name,
+                    block: section.block,
+                    reference: *id,
+                    position,
+                    elements: HashSet::new(),
+                    tied: Vec::new(),
+                    hull: Hull { points: vec![position], triangles: Vec::new() },
+                    analytical: None,
+                });
+            }
+        }
+    }
 }
 
 /// All rigid bodies that can be represented.
@@ -71,16 +121,21 @@ fn body(notes: &Notes, region: usize, constraint: &RigidBody) -> Result<Body, St
         triangles = Some(turned.ok_or("of analytical surfaces only those of revolution are represented")?);
         analytical = Some((name.clone(), surface.clone()));
     }
+    let tied = match &constraint.tied {
+        Some(set) => deck.nodes(region, set).ok_or_else(|| format!("there is no node set {set}"))?,
+        None => Vec::new(),
+    };
     let own = deck.regions.get(region).map_or("", |region| region.name.as_str());
-    let name =
-        if own.is_empty() { constraint.elements.as_ref().or(constraint.surface.as_ref()) } else { None };
+    let words = [&constraint.elements, &constraint.surface, &constraint.tied];
+    let name = if own.is_empty() { words.into_iter().flatten().next() } else { None };
     Ok(Body {
         name: plain(name.map_or(own, String::as_str)),
         block: constraint.block,
         reference,
         position,
         elements: elements.into_iter().collect(),
-        hull: triangles.ok_or("it has no surface")?,
+        tied,
+        hull: triangles.unwrap_or_else(|| Hull { points: vec![position], triangles: Vec::new() }),
         analytical,
     })
 }

@@ -2,6 +2,7 @@
 
 use crate::bodies::{self, Body};
 use crate::case_text::{CaseText, digits, quantity};
+use crate::connectors::{Joint, Kind};
 use crate::contact::Friction;
 use crate::facts::Facts;
 use crate::fill::Ground;
@@ -19,7 +20,8 @@ pub(super) fn all_bodies(
 ) -> Vec<(String, Vec<u8>)> {
     let mut files = Vec::new();
     let surface = ground.surface * facts.units.length;
-    for (number, body) in facts.bodies.iter().enumerate() {
+    let gear = &facts.gear;
+    for (number, body) in facts.bodies.iter().enumerate().filter(|(number, _)| !gear.is_mark[*number]) {
         let is_free = |step: &StepMoves, key: usize| {
             let (own, _) = motion::of_axis(&step[number], &facts.setup.frame, key);
             own.dof != Dof::Held && !facts.is_ruled_out(key)
@@ -27,13 +29,33 @@ pub(super) fn all_bodies(
         let turns = facts.moves.iter().any(|step| (3..6).any(|key| is_free(step, key)));
         let place = Place { setup: &facts.setup, length: facts.units.length, surface, turns };
         files.extend(written_body::shape(notes, text, body, &place));
-        friction(notes, text, facts, body, &frictions[number], ground);
+        if !body.is_frame() {
+            friction(notes, text, facts, body, &frictions[number], ground);
+        }
         weight(notes, text, facts, number);
+        if gear.whole[number] != number {
+            one_friction(notes, facts, frictions, number);
+            let whole = format!("\"{}\"", facts.bodies[gear.whole[number]].name);
+            text.set(&format!("body.{}", body.name), "welded_to", whole, "");
+            continue;
+        }
         for step in facts.first..facts.moves.len() {
             files.extend(step_motions(notes, text, facts, number, step));
         }
     }
     files
+}
+
+/// A body that is welded to another has the friction of all that is welded to it.
+fn one_friction(notes: &mut Notes, facts: &Facts, frictions: &[Friction], number: usize) {
+    let whole = &facts.gear.whole;
+    let solid = (0..number).chain([whole[number]]).filter(|other| !facts.bodies[*other].is_frame());
+    let of = |body: usize| (frictions[body].coefficient, frictions[body].most_shear);
+    let other = solid.into_iter().find(|other| whole[*other] == whole[number] && of(*other) != of(number));
+    if let Some(other) = other.filter(|_| !facts.bodies[number].is_frame()) {
+        let message = format!("it is welded to {}, and its friction differs", facts.bodies[other].name);
+        notes.refused(facts.bodies[number].block, message);
+    }
 }
 
 fn friction(
@@ -91,9 +113,25 @@ fn weight(notes: &mut Notes, text: &mut CaseText, facts: &Facts, number: usize) 
         }
         None if is_free => notes.refused(
             body.block,
-            "it moves freely and has no mass: give its reference node *Mass, or hold it",
+            format!("{} moves freely and has no mass: give its reference node *Mass, or hold it", body.name),
         ),
         None => {}
+    }
+    let turns = |key: &usize| {
+        !facts.is_ruled_out(*key)
+            && facts
+                .moves
+                .iter()
+                .any(|step| motion::of_axis(&step[number], &facts.setup.frame, *key).0.dof == Dof::Free)
+    };
+    if body.is_frame() && inertia.moments.is_none() && (3..6).any(|key| turns(&key)) {
+        notes.refused(
+            body.block,
+            format!(
+                "{} turns freely and has no moment of inertia: give its node *Rotary Inertia, or hold it",
+                body.name
+            ),
+        );
     }
     if let Some((moments, block)) = inertia.moments {
         let axis = facts.setup.frame.axes[1].0;
@@ -135,7 +173,8 @@ fn step_motions(
     let begin = deck.steps[..step].iter().map(|step| step.duration).sum();
     let span = Span { begin, duration: deck.steps[step].duration, goes_on: step + 1 < facts.moves.len() };
     let stage = stage(notes, step);
-    let extra_weight = extra_weight(notes, facts, number);
+    let members = (0..facts.bodies.len()).filter(|other| facts.gear.whole[*other] == number);
+    let extra_weight = members.map(|member| extra_weight(notes, facts, member)).sum();
     let table = format!("{}-{stage}", body.name);
     let mover = Mover {
         units: &facts.units,
@@ -145,6 +184,9 @@ fn step_motions(
         table,
         span,
     };
+    // What is not given is held, but free of a body that a joint carries.
+    let carries = |joint: &Joint| !matches!(joint.kind, Kind::Spring(_)) && joint.ends[1] == Some(number);
+    let is_carried = facts.gear.joints.iter().any(carries);
     let mut files = Vec::new();
     for (key, name) in KEYS.into_iter().enumerate() {
         let own = &facts.moves[step][number];
@@ -157,7 +199,7 @@ fn step_motions(
             }
             continue;
         }
-        let is_same = before.map_or(now.dof == Dof::Held, |before| before == now);
+        let is_same = before.map_or(now.dof == Dof::Held && !is_carried, |before| before == now);
         let moved = (facts.first..step)
             .any(|s| motion::of_axis(&facts.moves[s][number], mover.frame, key).0.dof != Dof::Held);
         if let (false, true, Dof::Displacement(..), Some(block)) = (is_same, moved, &now.dof, now.block) {

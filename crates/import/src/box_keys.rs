@@ -73,6 +73,10 @@ pub(super) fn grid(notes: &mut Notes, text: &mut CaseText, facts: &Facts, at: &B
     let growth = axes().map(|axis| zones[axis].growth).fold(1.0, f64::max);
     let used = growth.clamp(1.02, 1.5);
     text.set("grid", "cell", quantity(cell * length, "m"), &origin);
+    if flat && !facts.gear.joints.is_empty() {
+        // Joints lie at y = 0, in the middle of the slab.
+        text.set("domain", "y", range([-0.5, 0.5].map(|x| x * cell * length), "m"), "");
+    }
     if aspect.iter().any(|aspect| (aspect - 1.0).abs() > 1e-3) {
         text.set(
             "grid",

@@ -22,7 +22,9 @@ impl CaseText {
     pub(super) fn written(&self) -> String {
         let mut text = String::new();
         let rank = |name: &str| {
-            ["body.", "stage.", "run", "output", "numerics"].iter().position(|start| name.starts_with(start))
+            ["body.", "joint.", "stage.", "run", "output", "numerics"]
+                .iter()
+                .position(|start| name.starts_with(start))
         };
         let mut sections: Vec<_> = self.sections.iter().collect();
         sections.sort_by_key(|(name, _)| rank(name).map_or(0, |rank| rank + 1));

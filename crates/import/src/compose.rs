@@ -4,12 +4,15 @@ use crate::bodies::{self, Body};
 use crate::body_keys;
 use crate::box_keys;
 use crate::case_text::{CaseText, digits, quantity, quoted};
+use crate::connectors;
 use crate::contact;
 use crate::eulerian::{self, Eulerian};
 use crate::facts::Facts;
 use crate::fill::{self, Box3};
+use crate::gear;
 use crate::gravity::{self, Gravity};
 use crate::ground_keys;
+use crate::joint_keys;
 use crate::masses;
 use crate::moves::{Dof, StepMoves, moves};
 use crate::notes::Notes;
@@ -59,20 +62,26 @@ struct WrittenCase {
 fn write(notes: &mut Notes, units: Option<&Units>, name: &str, asked: &Asked) -> Option<WrittenCase> {
     let deck = notes.deck;
     let gravity = gravity::gravity(notes);
-    let bodies = bodies::bodies(notes);
+    let mut bodies = bodies::bodies(notes);
+    bodies::add_points(notes, &mut bodies);
     let frictions = contact::frictions(notes, &bodies);
     let inertias = masses::inertias(notes, &bodies);
     let found = eulerian::mesh(notes);
     steps(notes);
     let mesh = found?;
     let units = known_units(notes, units, &gravity, &mesh)?;
-    let (moves, held) = moves(notes, &bodies, &mesh);
+    let (mut moves, held) = moves(notes, &bodies, &mesh);
+    let joints = connectors::joints(notes, &bodies);
+    gear::drive(notes, &joints, &mut moves);
+    let gear = gear::gear(notes, joints, &bodies, &inertias, &mut moves);
     let setup = setup(&mesh, &held, &bodies, &moves, gravity.up);
     let first = first_step(notes, &moves);
-    let facts = Facts { units, gravity, mesh: &mesh, bodies: &bodies, inertias, moves, held, setup, first };
+    let facts =
+        Facts { units, gravity, mesh: &mesh, bodies: &bodies, inertias, moves, held, setup, gear, first };
     say_setup(notes, &facts);
     let at = Box3::new(&mesh, &facts.setup.frame);
-    let skipped: Vec<[[f64; 2]; 3]> = bodies.iter().map(|body| turned_bounds(body, &facts.setup)).collect();
+    let solid = bodies.iter().filter(|body| !body.is_frame());
+    let skipped: Vec<[[f64; 2]; 3]> = solid.map(|body| turned_bounds(body, &facts.setup)).collect();
     let ground = fill::ground(notes, &mesh, &at, &skipped)?;
     let mut text = CaseText::default();
     let title = if deck.title.is_empty() { name } else { &deck.title };
@@ -86,6 +95,7 @@ fn write(notes: &mut Notes, units: Option<&Units>, name: &str, asked: &Asked) ->
     // Stages follow one another as they stand in the file: before any motion of a later one.
     body_keys::durations(notes, &mut text, &facts);
     let files = body_keys::all_bodies(notes, &mut text, &facts, &frictions, &ground);
+    joint_keys::joints(notes, &mut text, &facts, ground.surface * facts.units.length);
     output(notes, &mut text, &facts, asked);
     Some(WrittenCase { text: text.written(), files, cells: at.counts() })
 }

@@ -50,7 +50,9 @@ fn friction(notes: &mut Notes, body: &Body) -> Friction {
     let name = own.or(general).map(|pairing| pairing.interaction.as_str());
     let interaction = deck.interactions.iter().find(|interaction| Some(interaction.name.as_str()) == name);
     let Some((block, coefficient)) = interaction.and_then(|interaction| interaction.friction) else {
-        notes.remark(format!("Nothing gives body {} friction: it is smooth, as in Abaqus.", body.name));
+        if !body.is_frame() {
+            notes.remark(format!("Nothing gives body {} friction: it is smooth, as in Abaqus.", body.name));
+        }
         return Friction { coefficient: 0.0, most_shear: None, block: None };
     };
     Friction { coefficient, most_shear: interaction.and_then(|i| i.most_shear), block: Some(block) }

@@ -2,6 +2,7 @@
 
 use crate::bodies::Body;
 use crate::eulerian::Eulerian;
+use crate::gear::Gear;
 use crate::gravity::Gravity;
 use crate::masses::Inertia;
 use crate::moves::StepMoves;
@@ -19,6 +20,7 @@ pub(super) struct Facts<'a> {
     pub(super) moves: Vec<StepMoves>,
     pub(super) held: Held,
     pub(super) setup: Setup,
+    pub(super) gear: Gear,
     /// Number of the first step that is run: one that only lets gravity act is not.
     pub(super) first: usize,
 }

@@ -4,8 +4,9 @@ use crate::bodies::Body;
 use crate::eulerian::Eulerian;
 use crate::notes::Notes;
 use crate::walls::{Held, HeldNodes};
+use deck::Deck;
 use deck::block::{Row, Wrong, label};
-use deck::model::{Action, Id};
+use deck::model::{Action, Id, Step};
 
 /// One of six motions in a step.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,31 @@ pub(super) struct Move {
     pub(super) load_block: Option<usize>,
 }
 
+impl Move {
+    /// Ends it.
+    pub(super) fn hold(&mut self) {
+        self.dof = Dof::Held;
+    }
+
+    /// Takes a load or a prescribed value.
+    pub(super) fn take(
+        &mut self,
+        action: &Action,
+        row: &Row,
+        value: f64,
+        is_load: bool,
+    ) -> Result<(), Wrong> {
+        if !is_load {
+            (self.dof, self.block) = (prescribed(action, row, value)?, Some(action.block));
+        } else if self.load.is_some() && self.load_block != Some(action.block) {
+            return Err(Wrong::at(row.place, "a second load on the same motion; one was expected"));
+        } else {
+            (self.load, self.load_block) = (Some((value, action.amplitude.clone())), Some(action.block));
+        }
+        Ok(())
+    }
+}
+
 const FREE: Move = Move { dof: Dof::Free, block: None, load: None, load_block: None };
 
 /// The motions of all bodies in a step: three along, three about the axes.
@@ -47,11 +73,7 @@ pub(super) fn moves(notes: &mut Notes, bodies: &[Body], mesh: &Eulerian) -> (Vec
     let mut all = Vec::new();
     for step in &deck.steps {
         for (keyword, active) in [("BOUNDARY", &mut boundaries), ("CLOAD", &mut loads)] {
-            let of = |action: &&Action| deck.blocks[action.block].keyword == keyword;
-            if step.actions.iter().filter(of).any(|action| action.replaces) {
-                active.clear();
-            }
-            active.extend(step.actions.iter().filter(of));
+            update(deck, step, keyword, active);
         }
         let mut moves = vec![[FREE; 6]; bodies.len()];
         for action in boundaries.iter().chain(&loads) {
@@ -64,6 +86,15 @@ pub(super) fn moves(notes: &mut Notes, bodies: &[Body], mesh: &Eulerian) -> (Vec
         all.push(moves);
     }
     (all, held.faces(notes))
+}
+
+/// The actions of a keyword that act in a step, from those of the step before.
+pub(super) fn update<'a>(deck: &Deck, step: &'a Step, keyword: &str, active: &mut Vec<&'a Action>) {
+    let of = |action: &&Action| deck.blocks[action.block].keyword == keyword;
+    if step.actions.iter().filter(of).any(|action| action.replaces) {
+        active.clear();
+    }
+    active.extend(step.actions.iter().filter(of));
 }
 
 fn act(
@@ -82,15 +113,7 @@ fn act(
     for (number, body) in bodies.iter().enumerate().filter(|(_, body)| ids.contains(&body.reference)) {
         is_used = true;
         for dof in &dofs {
-            let slot = &mut moves[number][*dof];
-            if is_load {
-                if slot.load.is_some() && slot.load_block != Some(action.block) {
-                    return Err(Wrong::at(row.place, "a second load on the same motion; one was expected"));
-                }
-                (slot.load, slot.load_block) = (Some((value, action.amplitude.clone())), Some(action.block));
-            } else {
-                (slot.dof, slot.block) = (prescribed(action, row, value)?, Some(action.block));
-            }
+            moves[number][*dof].take(action, row, value, is_load)?;
         }
         let words = if is_load { "load on" } else { "motion of" };
         notes.understood(action.block, format!("{words} {}", body.name));
@@ -129,7 +152,7 @@ fn prescribed(action: &Action, row: &Row, value: f64) -> Result<Dof, Wrong> {
 }
 
 /// A degree of freedom, counted from 0.
-fn number(row: &Row, field: usize) -> Result<usize, Wrong> {
+pub(super) fn number(row: &Row, field: usize) -> Result<usize, Wrong> {
     let found = label(row.field(field)).filter(|dof| (1..=6).contains(dof));
     found
         .map(|dof| dof as usize - 1)

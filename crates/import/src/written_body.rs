@@ -30,6 +30,12 @@ pub(super) fn shape(
     place: &Place,
 ) -> Option<(String, Vec<u8>)> {
     let (section, comment) = (format!("body.{}", body.name), notes.origin(body.block));
+    if body.is_frame() {
+        text.set(&section, "shape", "\"frame\"", &comment);
+        notes.understood(body.block, format!("body {} without a surface", body.name));
+        position(text, &section, scaled(place.setup.frame.point(body.position), place.length), place);
+        return None;
+    }
     let hull = match hull(notes, body, place) {
         Ok(hull) => hull,
         Err(message) => {

@@ -1,0 +1,229 @@
+//! Connectors and orientations on a small deck: what each becomes, and what is refused.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+use coulter_import::{Imported, Refused, import};
+use deck::Outcome;
+use std::fmt::Write;
+
+/// A box of sand with two blocks above it, each with a mass, and a node alone.
+fn deck(assembly: &str, model: &str, step: &str) -> String {
+    let mut text = "*Heading\nTwo blocks\n*Part, name=SOIL\n*Node\n".to_owned();
+    let label = |x: usize, y: usize, z: usize| 1 + x + 10 * y + 100 * z;
+    for (x, y, z) in (0..9).flat_map(|x| (0..5).flat_map(move |y| (0..6).map(move |z| (x, y, z)))) {
+        let at = [x, y, z].map(|n| n as f64 * 0.5);
+        writeln!(text, "{}, {}, {}, {}", label(x, y, z), at[0] - 2.0, at[1] - 1.0, at[2] - 1.5).unwrap();
+    }
+    text.push_str("*Element, type=EC3D8R\n");
+    for (x, y, z) in (0..8).flat_map(|x| (0..4).flat_map(move |y| (0..5).map(move |z| (x, y, z)))) {
+        let corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
+        let of = |up: usize| corners.map(|[a, b]| label(x + a, y + b, z + up).to_string()).join(", ");
+        writeln!(text, "{}, {}, {}", label(x, y, z), of(0), of(1)).unwrap();
+    }
+    for (set, layers) in [("ALL", 5), ("SOIL", 3)] {
+        writeln!(text, "*Elset, elset={set}").unwrap();
+        for (x, y, z) in (0..8).flat_map(|x| (0..4).flat_map(move |y| (0..layers).map(move |z| (x, y, z)))) {
+            writeln!(text, "{}", label(x, y, z)).unwrap();
+        }
+    }
+    text + "*Eulerian Section, elset=ALL\nSAND, SAND-1\n*End Part\n\
+        *Part, name=BLOCK\n*Node\n1, -0.5, -0.5, 0.\n2, 0.5, -0.5, 0.\n3, 0.5, 0.5, 0.\n4, -0.5, 0.5, 0.\n\
+        5, -0.5, -0.5, 0.5\n6, 0.5, -0.5, 0.5\n7, 0.5, 0.5, 0.5\n8, -0.5, 0.5, 0.5\n9, 0., 0., 0.25\n\
+        *Element, type=C3D8R, elset=BLOCK\n1, 1, 2, 3, 4, 5, 6, 7, 8\n*Element, type=MASS, elset=M\n2, 9\n\
+        *Mass, elset=M\n100.\n*Nset, nset=RP\n9,\n*Solid Section, elset=BLOCK, material=SAND\n,\n*End Part\n*Assembly, name=A\n\
+        *Instance, name=SOIL, part=SOIL\n*End Instance\n\
+        *Instance, name=A, part=BLOCK\n-0.75, 0., 0.1\n*End Instance\n\
+        *Instance, name=B, part=BLOCK\n0.75, 0., 0.1\n*End Instance\n\
+        *Node\n1, -0.75, 0., 0.85\n\
+        *Rigid Body, ref node=A.RP, elset=A.BLOCK\n*Rigid Body, ref node=B.RP, elset=B.BLOCK\n"
+        + assembly
+        + "*End Assembly\n*Material, name=SAND\n*Density\n1600.,\n*Elastic\n1.e7, 0.3\n*Mohr Coulomb\n32., 0.1\n\
+           *Mohr Coulomb Hardening\n100., 0.\n*Initial Conditions, type=volume fraction\nSOIL.SOIL, SAND-1, 1.\n"
+        + model
+        + "*Step, name=GO\n*Dynamic, Explicit\n, 1.\n*Dload\n, grav, 9.81, 0., 0., -1.\n"
+        + step
+        + "*End Step\n"
+}
+
+fn of(assembly: &str, model: &str, step: &str) -> Result<Imported, Box<Refused>> {
+    import(&deck::read_with(&deck(assembly, model, step), "two.inp", |_| Err(String::new())), None, "two")
+}
+
+/// The case, which must be read without a problem, and the import.
+fn case(assembly: &str, model: &str, step: &str) -> Imported {
+    let imported = of(assembly, model, step).unwrap_or_else(|refused| panic!("{:?}", texts(&refused)));
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("two.toml");
+    std::fs::write(&file, &imported.case).unwrap();
+    coulter::case::load(&file, &[]).unwrap_or_else(|error| panic!("{error:?}\n{}", imported.case));
+    imported
+}
+
+fn texts(refused: &Refused) -> Vec<String> {
+    let of = |entry: &deck::Entry| match &entry.outcome {
+        Outcome::Refused(text) => Some(format!("{} {}: {text}", entry.place.line, entry.keyword)),
+        _ => None,
+    };
+    refused.missing.iter().cloned().chain(refused.entries.iter().filter_map(of)).collect()
+}
+
+/// What is refused: these words, and nothing else.
+fn refused(assembly: &str, model: &str, step: &str, words: &str) {
+    let found = texts(&of(assembly, model, step).map(|done| done.case).unwrap_err());
+    assert!(found.iter().any(|text| text.contains(words)), "{words}: {found:?}");
+    assert_eq!(found.len(), 1, "{found:?}");
+}
+
+fn has(imported: &Imported, lines: &[&str]) {
+    lines.iter().for_each(|line| assert!(imported.case.contains(line), "{line}\n{}", imported.case));
+}
+
+const CONNECTOR: &str = "*Element, type=CONN3D2, elset=LINK\n9, A.9, B.9\n*Connector Section, elset=LINK";
+const TOW: &str = "*Boundary, type=velocity\nA.RP, 1, 1, 0.1\n*Boundary\nA.RP, 2, 2\nA.RP, 4, 6\n";
+/// First axis along y.
+const ACROSS: &str = "*Orientation, name=\"Datum 1\"\n0., 1., 0., 0., 0., 1.\n1, 0.\n";
+
+#[test]
+fn a_hinge_has_the_axis_of_its_orientation_and_the_towed_body_carries() {
+    let assembly = format!("{ACROSS}{}\nHinge,\n\"Datum 1\",\n", CONNECTOR.replace("A.9, B.9", "B.9, A.9"));
+    let imported = case(&assembly, "", TOW);
+    has(
+        &imported,
+        &[
+            "kind = \"hinge\"",
+            "bodies = [\"a-block\", \"b-block\"]",
+            "axis = [0, 1, 0]",
+            "at = [\"-0.75 m\", \"0 m\", \"0.35 m\"]",
+        ],
+    );
+    has(&imported, &["spin = \"free\"", "[joint.link]"]);
+}
+
+#[test]
+fn pairs_of_basic_types_are_the_joints_that_they_make() {
+    for (types, kind) in [
+        ("Join", "ball"),
+        ("Join, Cardan", "ball"),
+        ("Join, Revolute", "hinge"),
+        ("Slot, Align", "slider"),
+        ("Translator", "slider"),
+    ] {
+        let imported = case(&format!("{ACROSS}{CONNECTOR}\n{types}\n\"Datum 1\"\n"), "", TOW);
+        has(&imported, &[&format!("kind = \"{kind}\"")]);
+    }
+    let imported = case(&format!("{CONNECTOR}\nBeam,\n"), "", TOW);
+    has(&imported, &["welded_to = \"a-block\""]);
+    assert!(!imported.case.contains("[joint."));
+}
+
+#[test]
+fn orientations_are_turned_and_may_be_given_by_nodes() {
+    let turned =
+        "*Orientation, name=O\n1., 0., 0., 0., 1., 0.\n3, 90.\n".to_owned() + CONNECTOR + "\nHinge\nO\n";
+    has(&case(&turned, "", TOW), &["axis = [0, 1, 0]"]);
+    let nodes =
+        "*Orientation, name=O, definition=nodes\nA.4, A.5, A.1\n".to_owned() + CONNECTOR + "\nHinge\nO\n";
+    has(&case(&nodes, "", TOW), &["axis = [0, 1, 0]"]);
+    let line = "*Orientation, name=O\n1., 0., 0., 2., 0., 0.\n".to_owned() + CONNECTOR + "\nJoin\n";
+    refused(&line, "", TOW, "lie in a line");
+    let unused = case(
+        "*Orientation, name=O\n1., 0., 0., 0., 1., 0.\n",
+        "",
+        &(TOW.to_owned() + &TOW.replace("A.", "B.")),
+    );
+    assert!(unused.entries.iter().any(|entry| entry.keyword == "ORIENTATION"
+        && matches!(&entry.outcome, Outcome::Ignored(text) if text.contains("isotropic"))));
+    refused("*Orientation, name=O, system=cylindrical\n0., 0., 0., 0., 0., 1.\n", "", TOW, "rectangular");
+    refused(&format!("{CONNECTOR}\nHinge\nNONE\n"), "", TOW, "no orientation \"NONE\"");
+    refused(&format!("{CONNECTOR}\nHinge\n"), "", TOW, "orientation is missing");
+}
+
+const SPRING: &str = "*Connector Behavior, name=LINE\n*Connector Elasticity, component=1\n2000.,\n*Connector Damping, component=1\n30.,\n";
+/// A node alone that is towed, and a connector from it to A.
+const WINCH: &str = "*Node\n7, 1.9, 0., 0.35\n*Nset, nset=WINCH\n7,\n*Element, type=CONN3D2, elset=LINK\n9, 7, B.9\n*Connector Section, elset=LINK, behavior=LINE\nAxial,\n";
+const PULL: &str = "*Boundary, type=velocity\nWINCH, 1, 1, 0.1\n*Boundary\nWINCH, 2, 3\nA.RP, 1, 6\nB.RP, 2, 2\nB.RP, 4, 6\n";
+
+#[test]
+fn an_axial_connector_is_a_spring_or_a_cable_and_a_node_alone_a_frame() {
+    let imported = case(WINCH, SPRING, PULL);
+    has(
+        &imported,
+        &[
+            "kind = \"spring\"",
+            "bodies = [\"point-7\", \"b-block\"]",
+            "stiffness = \"2000 N/m\"",
+            "damping = \"30 N*s/m\"",
+            "length = \"1.15 m\"",
+            "shape = \"frame\"",
+        ],
+    );
+    let cable = "*Connector Behavior, name=LINE\n*Connector Elasticity, component=1, nonlinear\n0., -1.\n0., 0.1\n200., 0.2\n*Connector Constitutive Reference\n1.2,\n";
+    has(&case(WINCH, cable, PULL), &["kind = \"cable\"", "stiffness = \"2000 N/m\"", "length = \"1.3 m\""]);
+    let bent = "*Connector Behavior, name=LINE\n*Connector Elasticity, component=1, nonlinear\n-1., -1.\n0., 0.\n20., 0.2\n";
+    refused(WINCH, bent, PULL, "straight line");
+    let stop = SPRING.to_owned() + "*Connector Stop, component=1\n0., 1.\n";
+    refused(WINCH, &stop, PULL, "reference length are represented");
+    refused(
+        WINCH,
+        "*Connector Behavior, name=LINE\n*Connector Damping, component=1\n3.,\n",
+        PULL,
+        "a spring was expected",
+    );
+    refused(WINCH, "", PULL, "no connector behaviour LINE");
+    let measuring = WINCH.replace(", behavior=LINE", "");
+    let idle = of(&measuring, "", PULL).unwrap();
+    assert!(
+        idle.entries
+            .iter()
+            .any(|entry| matches!(&entry.outcome, Outcome::Ignored(text) if text.contains("only measures")))
+    );
+    refused(
+        WINCH,
+        SPRING,
+        &PULL.replace("WINCH, 2, 3", "WINCH, 2, 2"),
+        "point-7 moves freely and has no mass",
+    );
+}
+
+#[test]
+fn a_beam_to_a_node_that_is_moved_moves_the_body_itself() {
+    let assembly = "*Element, type=CONN3D2, elset=LINK\n9, 1, A.9\n*Connector Section, elset=LINK\nBeam,\n*Nset, nset=TOP\n1,\n";
+    let step = "*Boundary, type=velocity\nTOP, 3, 3, -0.1\n*Boundary\nTOP, 1, 2\nTOP, 4, 6\nB.RP, 1, 6\n";
+    let imported = case(assembly, "", step);
+    has(&imported, &["heave = { speed = \"-0.1 m/s\""]);
+    assert!(!imported.case.contains("point-1"));
+    refused(assembly, "", &step.replace("TOP, 4, 6", "TOP, 4, 6\nA.RP, 1, 1"), "one of them was expected");
+}
+
+#[test]
+fn a_driven_hinge_turns_the_body_and_a_driven_translator_moves_it() {
+    let hinge = format!("{ACROSS}{CONNECTOR}\nHinge,\n\"Datum 1\",\n");
+    let step = TOW.to_owned() + "*Connector Motion, type=velocity\nLINK, 4, 3.\n";
+    has(&case(&hinge, "", &step), &["spin = { speed = \"3 rad/s\""]);
+    has(&case(&hinge, "", &step.replace("Motion, type=velocity", "Load")), &["spin = { load = \"3 N*m\""]);
+    refused(&hinge, "", &step.replace("4, 3.", "1, 3."), "can be driven");
+    refused(&hinge, "", &step.replace("A.RP, 4, 6", "A.RP, 4, 5"), "hold one of them");
+    refused(&hinge, "", &step.replace("LINK, 4", "NONE, 4"), "no connector \"NONE\"");
+    let slider =
+        hinge.replace("Hinge", "Translator").replace("0., 1., 0., 0., 0., 1.", "0., 0., 1., 1., 0., 0.");
+    let step = "*Boundary\nA.RP, 1, 6\n*Connector Motion, type=velocity\nLINK, 1, -0.2\n";
+    has(&case(&slider, "", step), &["heave = { speed = \"-0.2 m/s\"", "axis = [0, 0, 1]"]);
+}
+
+#[test]
+fn what_no_joint_represents_is_refused_at_its_line() {
+    for types in ["Link", "Cylindrical", "UJoint", "Bushing", "Slot", "Planar", "Join, Universal", "Nonsense"]
+    {
+        refused(&format!("{CONNECTOR}\n{types}\n"), "", TOW, "are represented, not");
+    }
+    refused("*Element, type=CONN3D2\n9, A.9, B.9\n", "", TOW, "has no *Connector Section");
+    refused(
+        &format!("{CONNECTOR}, behavior=LINE\nJoin\n"),
+        "*Connector Behavior, name=LINE\n*Connector Lock\n1,\n",
+        TOW,
+        "only springs",
+    );
+    refused(&format!("{CONNECTOR}\nWeld\n").replace("A.9, B.9", ", B.9"), "", TOW, "welded to the ground");
+    refused(&format!("{CONNECTOR}\nJoin\n").replace("A.9, B.9", "A.9, A.3"), "", TOW, "belong to one body");
+    let unused = case("", SPRING, &(TOW.to_owned() + &TOW.replace("A.", "B.")));
+    assert!(unused.report.contains("no connector refers to it"));
+}
