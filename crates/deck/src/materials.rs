@@ -1,7 +1,7 @@
 //! Materials, and tables that others refer to by name.
 
 use crate::block::{Block, Row, Wrong};
-use crate::model::{Amplitude, Interaction, Material, Pairing, Property};
+use crate::model::{Amplitude, Interaction, Material, Pairing, Periodic, Property};
 use crate::state::{Read, State, Verdict};
 use std::collections::BTreeMap;
 
@@ -107,6 +107,12 @@ fn amplitude(state: &mut State, number: usize, block: &Block) -> Read {
     for row in &block.rows {
         numbers.extend(row.numbers()?);
     }
+    if definition == "PERIODIC" {
+        let periodic = Some(periodic(&block.rows)?);
+        let amplitude = Amplitude { block: number, definition, is_total_time, points: Vec::new(), periodic };
+        state.deck.amplitudes.insert(name, amplitude);
+        return Ok(Verdict::Pending);
+    }
     let points = match definition.as_str() {
         "TABULAR" | "SMOOTH STEP" if numbers.len() >= 2 && numbers.len().is_multiple_of(2) => {
             numbers.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>()
@@ -125,7 +131,31 @@ fn amplitude(state: &mut State, number: usize, block: &Block) -> Read {
     if points.len() < 2 || points.windows(2).any(|pair| pair[1][0] <= pair[0][0]) {
         return Err("two times or more that increase were expected".into());
     }
-    let amplitude = Amplitude { block: number, definition, is_total_time, points };
+    let amplitude = Amplitude { block: number, definition, is_total_time, points, periodic: None };
     state.deck.amplitudes.insert(name, amplitude);
     Ok(Verdict::Pending)
+}
+
+/// Number of terms, frequency, start and mean; then pairs of factors of cosine and sine.
+fn periodic(rows: &[Row]) -> Result<Periodic, Wrong> {
+    let [first, rest @ ..] = rows else { return Err("a line with the frequency was expected".into()) };
+    let get = |field: usize| first.number(field).map(Option::unwrap_or_default);
+    let (count, frequency) = (get(0)?, get(1)?);
+    let mut factors = Vec::new();
+    for row in rest {
+        factors.extend(
+            (0..row.fields().len().next_multiple_of(2))
+                .map(|n| row.number(n))
+                .collect::<Result<Vec<_>, _>>()?,
+        );
+    }
+    let terms: Vec<[f64; 2]> = factors
+        .chunks_exact(2)
+        .map(|pair| [pair[0].unwrap_or_default(), pair[1].unwrap_or_default()])
+        .collect();
+    if frequency <= 0.0 || terms.is_empty() || terms.len() as f64 != count {
+        let message = "number of terms, circular frequency above 0, start and mean, and then two factors for each term were expected";
+        return Err(Wrong::at(first.place, message));
+    }
+    Ok(Periodic { frequency, start: get(2)?, mean: get(3)?, terms })
 }

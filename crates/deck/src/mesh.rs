@@ -51,7 +51,10 @@ pub(super) fn join(state: &mut State, set: Option<&str>, is_node: bool, label: u
 /// Number of nodes of an element.
 fn size(kind: &str) -> Option<usize> {
     let words = [
-        (8, &["EC3D8", "C3D8"][..]),
+        (20, &["C3D20"][..]),
+        (15, &["C3D15"]),
+        (10, &["C3D10"]),
+        (8, &["EC3D8", "C3D8"]),
         (6, &["C3D6"]),
         (4, &["C3D4", "R3D4", "S4", "SFM3D4", "M3D4"]),
         (3, &["R3D3", "S3", "SFM3D3", "M3D3"]),
@@ -66,7 +69,8 @@ fn size(kind: &str) -> Option<usize> {
 
 /// Whether a type is a known one with letters for its integration.
 fn is_variant(kind: &str, known: &str) -> bool {
-    kind.strip_prefix(known).is_some_and(|rest| ["R", "RS", "I", "H", "RH", "RT", "T", "RSH"].contains(&rest))
+    kind.strip_prefix(known)
+        .is_some_and(|rest| ["R", "RS", "I", "H", "RH", "RT", "T", "RSH", "M"].contains(&rest))
 }
 
 fn elements(state: &mut State, block: &Block) -> Read {

@@ -124,8 +124,39 @@ pub struct Amplitude {
     pub definition: String,
     /// Whether its time is that of the whole run.
     pub is_total_time: bool,
-    /// Times and factors.
+    /// Times and factors; none of one that swings.
     pub points: Vec<[f64; 2]>,
+    /// How it swings, if it does.
+    pub periodic: Option<Periodic>,
+}
+
+/// An amplitude that swings: a mean, from a time on with cosines and sines of a frequency and its multiples.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Periodic {
+    /// Circular frequency of the first term.
+    pub frequency: f64,
+    /// When it begins.
+    pub start: f64,
+    /// Mean, and value before the start.
+    pub mean: f64,
+    /// Factors of cosine and sine of each multiple.
+    pub terms: Vec<[f64; 2]>,
+}
+
+impl Periodic {
+    /// Its value at a time.
+    pub fn value(&self, time: f64) -> f64 {
+        let angle = self.frequency * (time - self.start);
+        let term = |(n, [a, b]): (usize, &[f64; 2])| {
+            let (sin, cos) = (angle * (n as f64 + 1.0)).sin_cos();
+            a * cos + b * sin
+        };
+        if time < self.start {
+            self.mean
+        } else {
+            self.mean + self.terms.iter().enumerate().map(term).sum::<f64>()
+        }
+    }
 }
 
 /// A block of a step or of the model that acts on something: `BOUNDARY`, `CLOAD`, `DLOAD`,

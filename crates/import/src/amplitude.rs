@@ -18,12 +18,24 @@ pub(super) enum Course {
 /// Pieces of each smooth step in a table.
 const PIECES: u32 = 16;
 
-/// The course of an amplitude in a step that begins at `begin` and lasts `duration`.
-pub(super) fn course(amplitude: &Amplitude, begin: f64, duration: f64) -> Course {
+/// Points of the fastest swing in a table, and most of a table.
+const PER_SWING: f64 = 32.0;
+const MOST: f64 = 100_000.0;
+
+/// The course of an amplitude in a step that begins at `begin` and lasts `duration`; `None` where it swings too
+/// often for a table.
+pub(super) fn course(amplitude: &Amplitude, begin: f64, duration: f64) -> Option<Course> {
     let shift = if amplitude.is_total_time { begin } else { 0.0 };
+    if let Some(periodic) = &amplitude.periodic {
+        let swings = periodic.frequency * periodic.terms.len() as f64 * duration / std::f64::consts::TAU;
+        let count = (swings * PER_SWING).ceil().max(PER_SWING);
+        let times = (0..=count as u32).map(|n| duration * f64::from(n) / count);
+        let points = || times.map(|time| [time, periodic.value(time + shift)]).collect();
+        return (count <= MOST).then(|| Course::Points { points: points(), is_smooth: true });
+    }
     let is_smooth = amplitude.definition == "SMOOTH STEP";
     let points: Vec<[f64; 2]> = amplitude.points.iter().map(|[time, value]| [time - shift, *value]).collect();
-    match points[..] {
+    Some(match points[..] {
         [[_, first], .., [_, last]] if points.iter().all(|[_, value]| *value == first) => {
             Course::Constant(last)
         }
@@ -35,7 +47,7 @@ pub(super) fn course(amplitude: &Amplitude, begin: f64, duration: f64) -> Course
             let all = if is_smooth { rounded(&points) } else { points };
             Course::Points { points: clipped(&all, duration), is_smooth }
         }
-    }
+    })
 }
 
 /// The fifth-order steps between points, τ³(10 − 15τ + 6τ²), in small pieces.
@@ -78,12 +90,13 @@ mod tests {
             definition: definition.to_owned(),
             is_total_time: false,
             points: points.to_vec(),
+            periodic: None,
         }
     }
 
     #[test]
     fn courses_are_recognised() {
-        let of = |definition, points: &[[f64; 2]]| course(&amplitude(definition, points), 0.0, 2.0);
+        let of = |definition, points: &[[f64; 2]]| course(&amplitude(definition, points), 0.0, 2.0).unwrap();
         assert_eq!(of("TABULAR", &[[0.0, 1.0], [9.0, 1.0]]), Course::Constant(1.0));
         assert_eq!(
             of("SMOOTH STEP", &[[0.0, 0.0], [0.1, 1.0]]),

@@ -99,7 +99,7 @@ pub(super) fn bodies(notes: &mut Notes) -> Vec<Body> {
 fn body(notes: &Notes, region: usize, constraint: &RigidBody) -> Result<Body, String> {
     let deck = notes.deck;
     let reference = match deck.nodes(region, &constraint.reference).as_deref() {
-        Some([one]) => *one,
+        Some([one, others @ ..]) if others.iter().all(|other| other == one) => *one,
         Some(many) => {
             return Err(format!("its reference is a set of {} nodes: one was expected", many.len()));
         }

@@ -236,15 +236,14 @@ fn table(rows: &[Row]) -> Result<(f64, f64, bool), Wrong> {
     let [force, extension] = points.last().copied().unwrap_or_default();
     let stiffness = force / (extension - slack);
     let straight = if is_cable { &points[taut..] } else { &points[..] };
-    let is_off = |[force, at]: &[f64; 2]| {
-        !((force - stiffness * (at - slack)).abs()
-            <= 1e-6 * force.abs().max(1e-3 * stiffness * (extension - slack)))
-    };
+    let scale = 1e-9 * stiffness * (extension - slack);
+    let is_on =
+        |[force, at]: &[f64; 2]| (force - stiffness * (at - slack)).abs() <= scale.max(1e-6 * force.abs());
     let is_rising = points.windows(2).all(|pair| pair[1][1] > pair[0][1]);
     if points.len() < 2
         || !is_rising
         || !(stiffness > 0.0 && stiffness.is_finite())
-        || straight.iter().any(is_off)
+        || !straight.iter().all(is_on)
     {
         return Err(wrong.into());
     }

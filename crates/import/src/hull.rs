@@ -13,11 +13,11 @@ pub(super) struct Hull {
     pub(super) triangles: Vec<[usize; 3]>,
 }
 
-/// Faces of a solid by the places of its nodes, outwards.
+/// Faces of a solid by the places of its corners, outwards; nodes at the middles of edges come after these.
 fn solid_faces(nodes: usize) -> &'static [&'static [usize]] {
     match nodes {
-        8 => &[&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]],
-        6 => &[&[0, 2, 1], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]],
+        8 | 20 => &[&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]],
+        6 | 15 => &[&[0, 2, 1], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]],
         _ => &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]],
     }
 }

@@ -1,9 +1,10 @@
 //! Mass and moments of inertia at reference nodes.
 
-use crate::bodies::Body;
+use crate::bodies::{self, Body};
 use crate::notes::Notes;
 use deck::block::Wrong;
 use deck::model::{Id, Section};
+use std::collections::HashMap;
 
 /// What the deck says of the inertia of a body, in its own units and axes.
 #[derive(Clone, Debug, Default)]
@@ -18,13 +19,14 @@ pub(super) struct Inertia {
 pub(super) fn inertias(notes: &mut Notes, bodies: &[Body]) -> Vec<Inertia> {
     let mut found = vec![Inertia::default(); bodies.len()];
     let deck = notes.deck;
+    let owners = bodies::owners(notes, bodies);
     for (region, own) in deck.regions.iter().enumerate() {
         for section in &own.sections {
             let keyword = deck.blocks[section.block].keyword.as_str();
             if keyword != "MASS" && keyword != "ROTARY INERTIA" {
                 continue;
             }
-            if let Err(wrong) = one(notes, region, section, bodies, &mut found) {
+            if let Err(wrong) = one(notes, region, section, bodies, &owners, &mut found) {
                 notes.refused(section.block, wrong);
             }
         }
@@ -38,6 +40,7 @@ fn one(
     region: usize,
     section: &Section,
     bodies: &[Body],
+    owners: &HashMap<Id, usize>,
     found: &mut [Inertia],
 ) -> Result<(), Wrong> {
     let deck = notes.deck;
@@ -49,8 +52,14 @@ fn one(
     let numbers = row.numbers()?;
     for id in ids {
         let node = deck.element(id).and_then(|element| element.nodes.first().copied());
-        let body = bodies.iter().position(|body| Some(body.reference) == node);
-        let body = body.ok_or("it is at no reference node of a rigid body")?;
+        let body = node.and_then(|node| owners.get(&node).copied());
+        let body = body.ok_or("it is at no node of a rigid body")?;
+        if node != Some(bodies[body].reference) {
+            notes.approximated(
+                section.block,
+                "what is at other nodes of the body counts as if it were at the reference node",
+            );
+        }
         let value = numbers.first().copied().unwrap_or(0.0);
         if numbers.iter().take(3).any(|value| *value < 0.0) || value == 0.0 {
             return Err(Wrong::at(row.place, "values above 0 were expected"));
@@ -61,7 +70,8 @@ fn one(
             notes.understood(section.block, format!("mass of {}", bodies[body].name));
         } else {
             let at = |n: usize| numbers.get(n).copied().unwrap_or(0.0);
-            found[body].moments = Some(([at(0), at(1), at(2)], section.block));
+            let before = found[body].moments.map_or([0.0; 3], |(moments, _)| moments);
+            found[body].moments = Some(([0, 1, 2].map(|n| before[n] + at(n)), section.block));
             let text = "the moment about the axle is taken; the others are those of a uniform solid of the same mass";
             notes.approximated(section.block, text);
         }

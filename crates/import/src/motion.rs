@@ -80,7 +80,11 @@ fn find(notes: &mut Notes, name: Option<&str>, block: Option<usize>, span: Span)
         return None;
     };
     notes.understood(amplitude.block, "course of a motion or a load over time");
-    Some(course(amplitude, span.begin, span.duration))
+    let course = course(amplitude, span.begin, span.duration);
+    if course.is_none() {
+        notes.refused(amplitude.block, "it swings more often than a table has points for");
+    }
+    course
 }
 
 fn smooth(notes: &mut Notes, block: Option<usize>) {
@@ -90,6 +94,11 @@ fn smooth(notes: &mut Notes, block: Option<usize>) {
 
 fn seconds(value: f64, mover: &Mover) -> String {
     quantity(value * mover.units.time, "s")
+}
+
+/// Start and duration of a ramp, after another key.
+fn ramped(start: f64, ramp: f64, mover: &Mover) -> String {
+    format!(", start = {}, ramp = {}", seconds(start, mover), seconds(ramp, mover))
 }
 
 fn speed(
@@ -107,8 +116,7 @@ fn speed(
         }
         Course::Smooth { start, ramp, to } => {
             smooth(notes, block);
-            let [start, ramp] = [start, ramp].map(|t| seconds(t, mover));
-            (format!("{{ speed = {}, start = {start}, ramp = {ramp} }}", quantity(value * to, unit)), None)
+            (format!("{{ speed = {}{} }}", quantity(value * to, unit), ramped(start, ramp, mover)), None)
         }
         Course::Straight { start, ramp, to } => {
             let points = [[0.0, 0.0], [start, 0.0], [start + ramp, to]];
@@ -156,14 +164,8 @@ fn displacement(
         }
         Course::Smooth { start, ramp, to } => {
             smooth(notes, block);
-            let [start, ramp] = [start, ramp].map(|t| seconds(t, mover));
-            (
-                format!(
-                    "{{ displacement = {}, start = {start}, ramp = {ramp} }}",
-                    quantity(value * to, length)
-                ),
-                None,
-            )
+            let to = quantity(value * to, length);
+            (format!("{{ displacement = {to}{} }}", ramped(start, ramp, mover)), None)
         }
         Course::Straight { start, ramp, to } => {
             let pace = quantity(value * to / (ramp * mover.units.time), rate);
@@ -205,8 +207,7 @@ fn free(notes: &mut Notes, own: &Move, sense: f64, number: usize, mover: &Mover)
             }
             Course::Smooth { start, ramp, to } | Course::Straight { start, ramp, to } => {
                 load *= to;
-                let [start, ramp] = [start, ramp].map(|t| seconds(t, mover));
-                times = format!(", start = {start}, ramp = {ramp}");
+                times = ramped(start, ramp, mover);
                 let text = "the load rises smoothly, 3τ² − 2τ³, between the same ends; the weight of a free body with it";
                 own.load_block.into_iter().for_each(|block| notes.approximated(block, text));
             }

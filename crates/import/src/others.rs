@@ -35,10 +35,13 @@ const USUAL: [(&str, &str); 13] = [
 ];
 
 /// Keywords that are left out, and what that may change.
-const LEFT_OUT: [(&str, &str); 24] = [
+const LEFT_OUT: [(&str, &str); 27] = [
     ("PREPRINT", "nothing: what Abaqus prints"),
     ("PRINT", "nothing: what Abaqus prints"),
     ("FILE OUTPUT", "nothing: what Abaqus writes"),
+    ("NODE PRINT", "nothing: what Abaqus prints"),
+    ("EL PRINT", "nothing: what Abaqus prints"),
+    ("CONTROLS", "nothing: of implicit steps"),
     ("FILTER", "histories are means over their interval, and filtered.csv is filtered"),
     (
         "FIXED MASS SCALING",
@@ -68,6 +71,52 @@ const LEFT_OUT: [(&str, &str); 24] = [
     ("CONTACT CLEARANCE ASSIGNMENT", "bodies stand where the deck puts them"),
 ];
 
+/// Keywords that are known and not represented, and why.
+const REFUSED: [(&str, &str); 32] = [
+    ("USER MATERIAL", SUBROUTINE),
+    ("DEPVAR", SUBROUTINE),
+    ("USER DEFINED FIELD", SUBROUTINE),
+    ("USER ELEMENT", SUBROUTINE),
+    ("EOS", "of soil Mohr–Coulomb, Drucker–Prager and von Mises are represented: a fluid has no law here"),
+    (
+        "VISCOSITY",
+        "of soil Mohr–Coulomb, Drucker–Prager and von Mises are represented: a fluid has no law here",
+    ),
+    ("HYPERELASTIC", "the elasticity of soil is linear"),
+    (
+        "CLAY PLASTICITY",
+        "of soil Mohr–Coulomb, Drucker–Prager and von Mises are represented; undrained clay as Mohr–Coulomb with φ = 0",
+    ),
+    ("CAP PLASTICITY", "of soil Mohr–Coulomb, Drucker–Prager and von Mises are represented"),
+    ("PERMEABILITY", "pore water is that of a case: add [water]"),
+    ("STATIC", IMPLICIT),
+    ("GEOSTATIC", "no step of a case: the ground begins in equilibrium under its weight; leave it out"),
+    ("SOILS", IMPLICIT),
+    ("FREQUENCY", IMPLICIT),
+    ("VISCO", IMPLICIT),
+    ("HEAT TRANSFER", TEMPERATURE),
+    ("COUPLED TEMPERATURE-DISPLACEMENT", TEMPERATURE),
+    ("DYNAMIC TEMPERATURE-DISPLACEMENT", TEMPERATURE),
+    ("TEMPERATURE", TEMPERATURE),
+    ("FIELD", "predefined fields are not represented"),
+    ("DSLOAD", "pressure on surfaces is not represented: put its sum on the reference node by *Cload"),
+    ("TIE", "bodies are joined by connectors, BEAM for one that moves as one with another"),
+    ("MPC", "bodies are joined by connectors, BEAM for one that moves as one with another"),
+    ("COUPLING", "a reference node moves what *Rigid Body gives it"),
+    ("KINEMATIC", "a reference node moves what *Rigid Body gives it"),
+    ("EQUATION", "a reference node moves what *Rigid Body gives it"),
+    ("TRANSFORM", "motions and loads along the axes of the deck were expected"),
+    ("BEAM SECTION", DEFORMS),
+    ("BEAM GENERAL SECTION", DEFORMS),
+    ("MEMBRANE SECTION", DEFORMS),
+    ("SPRING", "a spring is a connector of type AXIAL with *Connector Elasticity"),
+    ("DASHPOT", "a damper is a connector of type AXIAL with *Connector Elasticity and *Connector Damping"),
+];
+const SUBROUTINE: &str = "user subroutines are not run: choose a law of the case, law = \"sand\" for strength that follows density";
+const IMPLICIT: &str = "an implicit step: *Dynamic, explicit was expected";
+const TEMPERATURE: &str = "there are no temperatures in a case";
+const DEFORMS: &str = "elements that deform are not represented; make the body rigid with *Rigid Body";
+
 /// Enters what becomes of the blocks that the reader left alone.
 pub(super) fn others(notes: &mut Notes) -> Asked {
     let deck = notes.deck;
@@ -95,8 +144,8 @@ pub(super) fn others(notes: &mut Notes) -> Asked {
                     notes.understood(*number, text);
                 }
                 (_, Some(text)) => notes.ignored(*number, text),
-                // Nothing is entered: the ledger refuses it.
-                _ => {}
+                // Where nothing is entered the ledger refuses it.
+                _ => find(&REFUSED).into_iter().for_each(|text| notes.refused(*number, text)),
             },
         }
     }

@@ -1,4 +1,4 @@
-//! Connectors and orientations on a small deck: what each becomes, and what is refused.
+//! A small deck, changed: connectors, orientations, masses at nodes, amplitudes that swing, and what is refused.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter_import::{Imported, Refused, import};
@@ -50,10 +50,17 @@ fn of(assembly: &str, model: &str, step: &str) -> Result<Imported, Box<Refused>>
 
 /// The case, which must be read without a problem, and the import.
 fn case(assembly: &str, model: &str, step: &str) -> Imported {
-    let imported = of(assembly, model, step).unwrap_or_else(|refused| panic!("{:?}", texts(&refused)));
+    loaded(of(assembly, model, step).unwrap_or_else(|refused| panic!("{:?}", texts(&refused))))
+}
+
+/// An import whose case is read without a problem.
+fn loaded(imported: Imported) -> Imported {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("two.toml");
     std::fs::write(&file, &imported.case).unwrap();
+    for (name, bytes) in &imported.files {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+    }
     coulter::case::load(&file, &[]).unwrap_or_else(|error| panic!("{error:?}\n{}", imported.case));
     imported
 }
@@ -226,4 +233,60 @@ fn what_no_joint_represents_is_refused_at_its_line() {
     refused(&format!("{CONNECTOR}\nJoin\n").replace("A.9, B.9", "A.9, A.3"), "", TOW, "belong to one body");
     let unused = case("", SPRING, &(TOW.to_owned() + &TOW.replace("A.", "B.")));
     assert!(unused.report.contains("no connector refers to it"));
+}
+
+/// A deck of the folder, with replaced parts, as a case.
+fn changed(name: &str, parts: &[[&str; 2]]) -> Imported {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("decks").join(format!("{name}.inp"));
+    let mut text = std::fs::read_to_string(path).unwrap();
+    for [from, to] in parts {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    }
+    let imported = import(&deck::read_with(&text, "changed.inp", |_| Err(String::new())), None, name);
+    loaded(imported.unwrap_or_else(|refused| panic!("{:?}", texts(&refused))))
+}
+
+const ANCHOR: &str = "*Node, nset=ANCHOR\n7, -0.2, 0., 0.12\n*Element, type=CONN3D2, elset=LINE\n9, 7, GEAR-1.1\n\
+    *Connector Section, elset=LINE, behavior=LINE\nAxial,\n*End Assembly\n";
+
+#[test]
+fn a_spring_of_a_half_counts_twice_and_one_in_plane_strain_per_metre() {
+    let end = format!("{ANCHOR}{SPRING}*Boundary\nANCHOR, ENCASTRE\n");
+    let again = ", 1.3\n*Boundary, op=new\n";
+    let imported =
+        changed("disc", &[["*End Assembly\n", &end], [again, &format!("{again}ANCHOR, ENCASTRE\n")]]);
+    has(&imported, &["symmetric = true", "stiffness = \"4000 N/m\"", "damping = \"60 N*s/m\""]);
+    let low = end.replace("7, -0.2, 0., 0.12", "7, -0.4, 0.3, -0.01").replace("GEAR-1.1", "GEAR-1.9");
+    has(&changed("plough", &[["*End Assembly\n", &low]]), &["plane_strain = true", "kind = \"spring\""]);
+}
+
+#[test]
+fn masses_at_nodes_of_a_body_are_summed() {
+    let more = "*Element, type=MASS, elset=CORNERS\n21, A.1\n22, A.7\n*Mass, elset=CORNERS\n20.\n";
+    let imported = case(more, "", &(TOW.to_owned() + &TOW.replace("A.", "B.")));
+    has(&imported, &["mass = \"140 kg\""]);
+    assert!(imported.report.contains("as if it were at the reference node"));
+}
+
+#[test]
+fn an_amplitude_that_swings_is_a_table() {
+    let swing = "*Amplitude, name=SWING, definition=periodic\n2, 6.283185307, 0., 0.5\n0., 1., 0.25, 0.\n";
+    let step = TOW.replace("type=velocity", "type=velocity, amplitude=SWING") + &TOW.replace("A.", "B.");
+    let imported = case("", swing, &step);
+    let (_, bytes) = &imported.files[0];
+    let text = String::from_utf8(bytes.clone()).unwrap();
+    // 0.1 m/s times 0.5 + 1 + 0.25 cos π at a quarter of a second.
+    assert_eq!(text.lines().count(), 66);
+    assert!(text.contains("\n0.25,0.125\n"), "{text}");
+    refused("", &swing.replace("6.283185307", "6.3e9"), &step, "more often than a table");
+    refused("", &swing.replace("2, 6.2", "3, 6.2"), &step, "two factors for each term");
+}
+
+#[test]
+fn what_is_known_and_not_represented_has_a_reason() {
+    let user = "*Material, name=OTHER\n*User Material, constants=1\n1.\n*Depvar\n3\n";
+    let found = texts(&of("", user, TOW).map(|done| done.case).unwrap_err());
+    assert_eq!(found.iter().filter(|text| text.contains("user subroutines")).count(), 2, "{found:?}");
+    refused("*Tie, name=T\nX, Y\n", "", &(TOW.to_owned() + &TOW.replace("A.", "B.")), "by connectors");
 }
