@@ -75,7 +75,7 @@ fn is_variant(kind: &str, known: &str) -> bool {
 
 fn elements(state: &mut State, block: &Block) -> Read {
     let kind = block.required("TYPE")?;
-    let size = size(&kind).ok_or_else(|| format!("elements of type {kind} are not read"))?;
+    let size = size(&kind).ok_or_else(|| format!("elements of type {kind} are not read: solids, shells and rigid faces in three dimensions were expected"))?;
     let set = block.word("ELSET");
     let mut rows = block.rows.iter();
     while let Some(row) = rows.next() {

@@ -22,8 +22,8 @@ const PIECES: u32 = 16;
 const PER_SWING: f64 = 32.0;
 const MOST: f64 = 100_000.0;
 
-/// The course of an amplitude in a step that begins at `begin` and lasts `duration`; `None` where it swings too
-/// often for a table.
+/// The course of an amplitude in a step that begins at `begin` and lasts `duration`; `None` where it swings
+/// too often for a table.
 pub(super) fn course(amplitude: &Amplitude, begin: f64, duration: f64) -> Option<Course> {
     let shift = if amplitude.is_total_time { begin } else { 0.0 };
     if let Some(periodic) = &amplitude.periodic {

@@ -1,4 +1,4 @@
-//! The rigid bodies of a deck: name, reference node, surface. A node alone at the end of a connector is one, too.
+//! The rigid bodies of a deck: name, reference node, surface. A node alone at the end of a connector is one.
 
 use crate::hull::{self, Hull};
 use crate::notes::Notes;

@@ -71,8 +71,10 @@ fn write(notes: &mut Notes, units: Option<&Units>, name: &str, asked: &Asked) ->
     let mesh = found?;
     let units = known_units(notes, units, &gravity, &mesh)?;
     let (mut moves, held) = moves(notes, &bodies, &mesh);
+    for body in bodies.iter().filter(|body| body.is_frame() && mesh.nodes.contains(&body.reference)) {
+        notes.refused(body.block, "a connector to a node of the soil: nodes of bodies were expected");
+    }
     let joints = connectors::joints(notes, &bodies);
-    gear::drive(notes, &joints, &mut moves);
     let gear = gear::gear(notes, joints, &bodies, &inertias, &mut moves);
     let setup = setup(&mesh, &held, &bodies, &moves, gravity.up);
     let first = first_step(notes, &moves);

@@ -42,6 +42,8 @@ pub(super) struct Joint {
     pub(super) element: Id,
     /// Numbers of its bodies; `None`: the ground.
     pub(super) ends: [Option<usize>; 2],
+    /// Whether its bodies are in the other order than its nodes.
+    pub(super) is_reversed: bool,
     /// Where its nodes are; that of the ground is where the other is.
     pub(super) at: [[f64; 3]; 2],
     /// Its pivot, that of a hinge or a ball: the second node.
@@ -63,7 +65,14 @@ pub(super) fn joints(notes: &mut Notes, bodies: &[Body]) -> Vec<Joint> {
             let ids = deck.elements(region, &section.elements).unwrap_or_default();
             seen.extend(ids.iter().copied());
             match kind(notes, region, section).and_then(|kind| placed(notes, section, &ids, kind, &owners)) {
-                Ok(joints) if found.len() + joints.len() <= MOST => found.extend(joints),
+                Ok(joints) if found.len() + joints.len() <= MOST => {
+                    for mut joint in joints {
+                        while found.iter().any(|other: &Joint| other.name == joint.name) {
+                            joint.name.push_str("-b");
+                        }
+                        found.push(joint);
+                    }
+                }
                 Ok(_) => notes.refused(section.block, format!("more than {MOST} connectors")),
                 Err(wrong) => notes.refused(section.block, wrong),
             }
@@ -185,8 +194,13 @@ fn spring(notes: &mut Notes, behaviour: &[usize]) -> Result<Spring, Wrong> {
             match block.keyword.as_str() {
             "CONNECTOR ELASTICITY" if is_along && block.has("NONLINEAR") => {
                 (spring.stiffness, spring.slack, spring.is_cable) = table(&block.rows)?;
-                let text = "beyond its last point the stiffness goes on, where Abaqus keeps the force";
-                notes.approximated(*number, text);
+                let goes_on = [behaviour[0], *number].into_iter().any(|block| {
+                    deck.blocks[block].word("EXTRAPOLATION").is_some_and(|word| word == "LINEAR")
+                });
+                if !goes_on {
+                    let text = "beyond its last point the stiffness goes on, where Abaqus keeps the force";
+                    notes.approximated(*number, text);
+                }
                 Ok(())
             }
             "CONNECTOR ELASTICITY" if is_along && !block.has("RIGID") => {
@@ -199,7 +213,8 @@ fn spring(notes: &mut Notes, behaviour: &[usize]) -> Result<Spring, Wrong> {
             }
             "CONNECTOR CONSTITUTIVE REFERENCE" => {
                 spring.length = first?.number(0)?;
-                Ok(())
+                let is_right = spring.length.is_none_or(|length| length > 0.0);
+                if is_right { Ok(()) } else { Err("a length above 0 was expected".into()) }
             }
             _ => Err("of an AXIAL connector linear elasticity, damping (component=1) and reference length are represented, and elasticity that only pulls".into()),
         }
@@ -229,7 +244,6 @@ fn table(rows: &[Row]) -> Result<(f64, f64, bool), Wrong> {
         };
         points.push([force, extension]);
     }
-    let wrong = "a straight line through 0 was expected, or no force up to an extension and a straight line beyond it";
     let taut = points.iter().position(|[force, _]| *force > 0.0).unwrap_or(0);
     let is_cable = taut > 0 && points[..taut].iter().all(|[force, _]| *force == 0.0);
     let slack = if is_cable { points[taut - 1][1] } else { 0.0 };
@@ -239,15 +253,11 @@ fn table(rows: &[Row]) -> Result<(f64, f64, bool), Wrong> {
     let scale = 1e-9 * stiffness * (extension - slack);
     let is_on =
         |[force, at]: &[f64; 2]| (force - stiffness * (at - slack)).abs() <= scale.max(1e-6 * force.abs());
-    let is_rising = points.windows(2).all(|pair| pair[1][1] > pair[0][1]);
-    if points.len() < 2
-        || !is_rising
-        || !(stiffness > 0.0 && stiffness.is_finite())
-        || !straight.iter().all(is_on)
-    {
-        return Err(wrong.into());
+    let is_rising = points.len() >= 2 && points.windows(2).all(|pair| pair[1][1] > pair[0][1]);
+    if is_rising && stiffness > 0.0 && stiffness.is_finite() && straight.iter().all(is_on) {
+        return Ok((stiffness, slack, is_cable));
     }
-    Ok((stiffness, slack, is_cable))
+    Err("a straight line through 0 was expected, or no force up to an extension and a straight line beyond it".into())
 }
 
 /// The connectors of a section at their bodies.
@@ -294,6 +304,7 @@ fn placed(
             block: section.block,
             element: *id,
             ends,
+            is_reversed: false,
             at,
             pivot: at[1],
             kind: kind.clone(),

@@ -23,7 +23,7 @@ fn is_held(moves: &[StepMoves], body: Option<usize>, number: usize) -> bool {
 }
 
 /// Motions and loads of connectors become those of the body that moves.
-pub(super) fn drive(notes: &mut Notes, joints: &[Joint], moves: &mut [StepMoves]) {
+fn drive(notes: &mut Notes, joints: &[Joint], moves: &mut [StepMoves]) {
     let deck = notes.deck;
     let (mut motions, mut loads): (Vec<&Action>, Vec<&Action>) = (Vec::new(), Vec::new());
     for (number, step) in deck.steps.iter().enumerate() {
@@ -84,9 +84,10 @@ fn driven(joint: &Joint, component: usize, moves: &[StepMoves]) -> Result<(usize
         .ok_or("its axis is none of the deck: one of them was expected")?;
     let number = first + along;
     let is_still = |end: Option<usize>| (3..6).chain([number]).all(|number| is_held(moves, end, number));
+    let sense = if joint.is_reversed { -axis[along] } else { axis[along] };
     match joint.ends {
-        [first, Some(second)] if is_still(first) => Ok((second, number, axis[along])),
-        [Some(first), second] if is_still(second) => Ok((first, number, -axis[along])),
+        [first, Some(second)] if is_still(first) => Ok((second, number, sense)),
+        [Some(first), second] if is_still(second) => Ok((first, number, -sense)),
         _ => {
             Err("a drive between two bodies that both move so is not represented: hold one of them"
                 .to_owned())
@@ -110,6 +111,7 @@ pub(super) fn gear(
         if at(b) < at(a) || at(b) == at(a) && is_point(a) && !is_point(b) {
             joint.ends.reverse();
             joint.at.reverse();
+            joint.is_reversed = true;
         }
     }
     let (welds, mut joints): (Vec<Joint>, Vec<Joint>) =
@@ -122,18 +124,19 @@ pub(super) fn gear(
             Err(message) => notes.refused(weld.block, message),
         }
     }
-    for step in moves.iter_mut() {
-        for body in 0..bodies.len() {
-            step[body] = step[gear.whole[body]].clone();
-        }
-    }
     for joint in &mut joints {
         joint.ends = joint.ends.map(|end| end.map(|body| gear.whole[body]));
         if joint.ends[0] == joint.ends[1] {
             notes.refused(joint.block, "its ends are welded into one body");
         }
     }
+    drive(notes, &joints, moves);
     hold_points(notes, &joints, bodies, inertias, moves);
+    for step in moves.iter_mut() {
+        for body in 0..bodies.len() {
+            step[body] = step[gear.whole[body]].clone();
+        }
+    }
     gear.joints = joints;
     gear
 }

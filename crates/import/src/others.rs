@@ -23,7 +23,7 @@ const USUAL: [(&str, &str); 13] = [
     ),
     ("SURFACE BEHAVIOR", "surfaces do not enter one another"),
     ("NODE OUTPUT", "forces.csv: RF (with the other sign), U, V, VR of every body, always"),
-    ("ELEMENT OUTPUT", "soil.pvd: EVF, S, PEEQ, density, always"),
+    ("ELEMENT OUTPUT", "soil.pvd: EVF, S, PEEQ, density; joint_NAME.csv: forces of connectors; always"),
     ("ENERGY OUTPUT", "energy.csv, always"),
     ("CONTACT OUTPUT", "the force of the soil on every body is in forces.csv"),
     ("RESTART", "checkpoints are written always"),
@@ -72,7 +72,7 @@ const LEFT_OUT: [(&str, &str); 27] = [
 ];
 
 /// Keywords that are known and not represented, and why.
-const REFUSED: [(&str, &str); 32] = [
+const REFUSED: [(&str, &str); 38] = [
     ("USER MATERIAL", SUBROUTINE),
     ("DEPVAR", SUBROUTINE),
     ("USER DEFINED FIELD", SUBROUTINE),
@@ -98,6 +98,15 @@ const REFUSED: [(&str, &str); 32] = [
     ("COUPLED TEMPERATURE-DISPLACEMENT", TEMPERATURE),
     ("DYNAMIC TEMPERATURE-DISPLACEMENT", TEMPERATURE),
     ("TEMPERATURE", TEMPERATURE),
+    ("SRADIATE", TEMPERATURE),
+    ("SFILM", TEMPERATURE),
+    ("DSFLUX", TEMPERATURE),
+    ("BUCKLE", IMPLICIT),
+    ("ADAPTIVE MESH", "soil flows through a mesh that stands still: *Eulerian Section was expected"),
+    (
+        "ADAPTIVE MESH CONSTRAINT",
+        "soil flows through a mesh that stands still: *Eulerian Section was expected",
+    ),
     ("FIELD", "predefined fields are not represented"),
     ("DSLOAD", "pressure on surfaces is not represented: put its sum on the reference node by *Cload"),
     ("TIE", "bodies are joined by connectors, BEAM for one that moves as one with another"),

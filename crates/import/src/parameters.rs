@@ -4,7 +4,7 @@ use crate::notes::Notes;
 use deck::Outcome;
 
 /// Keyword, parameter, and what leaving it out may change; empty: nothing.
-const KNOWN: [(&str, &str, &str); 24] = [
+const KNOWN: [(&str, &str, &str); 25] = [
     ("PART", "INTERNAL", ""),
     ("STEP", "NLGEOM", ""),
     ("STEP", "INC", ""),
@@ -20,6 +20,7 @@ const KNOWN: [(&str, &str, &str); 24] = [
     ("SOLID SECTION", "CONTROLS", ""),
     ("SOLID SECTION", "ORIENTATION", ""),
     ("SHELL SECTION", "CONTROLS", ""),
+    ("CONNECTOR SECTION", "CONTROLS", ""),
     ("SURFACE", "COMBINE", ""),
     ("RIGID BODY", "POSITION", "the reference node stays where the deck puts it"),
     ("SURFACE", "FILLET RADIUS", "edges of the profile stay sharp"),

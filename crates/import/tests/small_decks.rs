@@ -1,4 +1,4 @@
-//! A small deck, changed: connectors, orientations, masses at nodes, amplitudes that swing, and what is refused.
+//! A small deck, changed: connectors, orientations, masses, amplitudes that swing, and what is refused.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter_import::{Imported, Refused, import};
@@ -280,7 +280,8 @@ fn an_amplitude_that_swings_is_a_table() {
     assert_eq!(text.lines().count(), 66);
     assert!(text.contains("\n0.25,0.125\n"), "{text}");
     refused("", &swing.replace("6.283185307", "6.3e9"), &step, "more often than a table");
-    refused("", &swing.replace("2, 6.2", "3, 6.2"), &step, "two factors for each term");
+    let found = texts(&of("", &swing.replace("2, 6.2", "3, 6.2"), &step).map(|done| done.case).unwrap_err());
+    assert!(found.iter().any(|text| text.contains("two factors for each term")), "{found:?}");
 }
 
 #[test]
