@@ -50,16 +50,12 @@ fn one(
         .ok_or_else(|| format!("there is no element set {}", section.elements))?;
     let row = section.rows.first().ok_or("a line of data was expected")?;
     let numbers = row.numbers()?;
+    let mut is_off = false;
     for id in ids {
         let node = deck.element(id).and_then(|element| element.nodes.first().copied());
         let body = node.and_then(|node| owners.get(&node).copied());
         let body = body.ok_or("it is at no node of a rigid body")?;
-        if node != Some(bodies[body].reference) {
-            notes.approximated(
-                section.block,
-                "what is at other nodes of the body counts as if it were at the reference node",
-            );
-        }
+        is_off |= node != Some(bodies[body].reference);
         let value = numbers.first().copied().unwrap_or(0.0);
         if numbers.iter().take(3).any(|value| *value < 0.0) || value == 0.0 {
             return Err(Wrong::at(row.place, "values above 0 were expected"));
@@ -75,6 +71,10 @@ fn one(
             let text = "the moment about the axle is taken; the others are those of a uniform solid of the same mass";
             notes.approximated(section.block, text);
         }
+    }
+    if is_off {
+        let text = "what is at other nodes of the body counts as if it were at the reference node";
+        notes.approximated(section.block, text);
     }
     Ok(())
 }
