@@ -49,6 +49,8 @@ pub(super) struct Joint {
     /// Its pivot, that of a hinge or a ball: the second node.
     pub(super) pivot: [f64; 3],
     pub(super) kind: Kind,
+    /// Torque on its second body about the axis of a hinge, and in how many steps it acts.
+    pub(super) torque: Option<(f64, usize)>,
 }
 
 /// Most connectors.
@@ -308,6 +310,7 @@ fn placed(
             at,
             pivot: at[1],
             kind: kind.clone(),
+            torque: None,
         });
     }
     Ok(found)

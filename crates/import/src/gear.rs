@@ -23,7 +23,7 @@ fn is_held(moves: &[StepMoves], body: Option<usize>, number: usize) -> bool {
 }
 
 /// Motions and loads of connectors become those of the body that moves.
-fn drive(notes: &mut Notes, joints: &[Joint], moves: &mut [StepMoves]) {
+fn drive(notes: &mut Notes, joints: &mut [Joint], moves: &mut [StepMoves]) {
     let deck = notes.deck;
     let (mut motions, mut loads): (Vec<&Action>, Vec<&Action>) = (Vec::new(), Vec::new());
     for (number, step) in deck.steps.iter().enumerate() {
@@ -46,7 +46,7 @@ fn one(
     notes: &Notes,
     action: &Action,
     row: &Row,
-    joints: &[Joint],
+    joints: &mut [Joint],
     step: usize,
     moves: &mut [StepMoves],
 ) -> Result<(), Wrong> {
@@ -56,15 +56,34 @@ fn one(
     let (component, value) = (moves::number(row, 1)?, row.number(2)?.unwrap_or(0.0));
     let is_load = deck.blocks[action.block].keyword == "CONNECTOR LOAD";
     for id in ids {
-        let joint = joints.iter().find(|joint| joint.element == id).ok_or_else(missing)?;
-        let driven = driven(joint, component, moves).map_err(|message| Wrong::at(row.place, message))?;
-        let (body, number, sense) = driven;
+        let joint = joints.iter_mut().find(|joint| joint.element == id).ok_or_else(missing)?;
+        let driven = match driven(joint, component, moves) {
+            Err(_) if is_load && component == 3 && matches!(joint.kind, Kind::Hinge(_)) => {
+                torque(joint, action, value, step).map(|()| None)
+            }
+            driven => driven.map(Some),
+        };
+        let driven = driven.map_err(|message| Wrong::at(row.place, message))?;
+        let Some((body, number, sense)) = driven else { continue };
         let slot = &mut moves[step][body][number];
         if !is_load && slot.dof != Dof::Free && slot.block != Some(action.block) {
             return Err(Wrong::at(row.place, "the body that it moves is held or moved there already"));
         }
         slot.take(action, row, sense * value, is_load)?;
     }
+    Ok(())
+}
+
+/// A torque between two bodies that both turn: the same in all steps.
+fn torque(joint: &mut Joint, action: &Action, value: f64, step: usize) -> Result<(), String> {
+    let value = if joint.is_reversed { -value } else { value };
+    let (before, steps) = joint.torque.unwrap_or((value, 0));
+    if action.amplitude.is_some() || before != value || steps != step {
+        let message =
+            "a torque between two bodies that both turn acts from the start to the end, without an amplitude";
+        return Err(message.to_owned());
+    }
+    joint.torque = Some((value, step + 1));
     Ok(())
 }
 
@@ -130,7 +149,7 @@ pub(super) fn gear(
             notes.refused(joint.block, "its ends are welded into one body");
         }
     }
-    drive(notes, &joints, moves);
+    drive(notes, &mut joints, moves);
     hold_points(notes, &joints, bodies, inertias, moves);
     for step in moves.iter_mut() {
         for body in 0..bodies.len() {

@@ -60,6 +60,14 @@ fn one(notes: &Notes, text: &mut CaseText, facts: &Facts, joint: &Joint, surface
         }
         text.set(&section, "axis", format!("[{}]", axis.map(digits).join(", ")), "");
     }
+    if let Some((torque, steps)) = joint.torque {
+        if steps != facts.moves.len() {
+            return Err("a torque between two bodies that both turn ends with its step: keep it to the end"
+                .to_owned());
+        }
+        let unit = facts.units.force() * facts.units.length * facts.share();
+        text.set(&section, "drive_torque", quantity(torque * unit, "N*m"), "");
+    }
     if let Kind::Spring(spring) = &joint.kind {
         text.set(&section, "from", written(points[0]), "");
         spring_keys(text, &section, facts, spring, points);

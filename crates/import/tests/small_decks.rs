@@ -1,51 +1,17 @@
 //! A small deck, changed: connectors, orientations, masses, amplitudes that swing, and what is refused.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
+mod small;
+
 use coulter_import::{Imported, Refused, import};
 use deck::Outcome;
-use std::fmt::Write;
-
-/// A box of sand with two blocks above it, each with a mass, and a node alone.
-fn deck(assembly: &str, model: &str, step: &str) -> String {
-    let mut text = "*Heading\nTwo blocks\n*Part, name=SOIL\n*Node\n".to_owned();
-    let label = |x: usize, y: usize, z: usize| 1 + x + 10 * y + 100 * z;
-    for (x, y, z) in (0..9).flat_map(|x| (0..5).flat_map(move |y| (0..6).map(move |z| (x, y, z)))) {
-        let at = [x, y, z].map(|n| n as f64 * 0.5);
-        writeln!(text, "{}, {}, {}, {}", label(x, y, z), at[0] - 2.0, at[1] - 1.0, at[2] - 1.5).unwrap();
-    }
-    text.push_str("*Element, type=EC3D8R\n");
-    for (x, y, z) in (0..8).flat_map(|x| (0..4).flat_map(move |y| (0..5).map(move |z| (x, y, z)))) {
-        let corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
-        let of = |up: usize| corners.map(|[a, b]| label(x + a, y + b, z + up).to_string()).join(", ");
-        writeln!(text, "{}, {}, {}", label(x, y, z), of(0), of(1)).unwrap();
-    }
-    for (set, layers) in [("ALL", 5), ("SOIL", 3)] {
-        writeln!(text, "*Elset, elset={set}").unwrap();
-        for (x, y, z) in (0..8).flat_map(|x| (0..4).flat_map(move |y| (0..layers).map(move |z| (x, y, z)))) {
-            writeln!(text, "{}", label(x, y, z)).unwrap();
-        }
-    }
-    text + "*Eulerian Section, elset=ALL\nSAND, SAND-1\n*End Part\n\
-        *Part, name=BLOCK\n*Node\n1, -0.5, -0.5, 0.\n2, 0.5, -0.5, 0.\n3, 0.5, 0.5, 0.\n4, -0.5, 0.5, 0.\n\
-        5, -0.5, -0.5, 0.5\n6, 0.5, -0.5, 0.5\n7, 0.5, 0.5, 0.5\n8, -0.5, 0.5, 0.5\n9, 0., 0., 0.25\n\
-        *Element, type=C3D8R, elset=BLOCK\n1, 1, 2, 3, 4, 5, 6, 7, 8\n*Element, type=MASS, elset=M\n2, 9\n\
-        *Mass, elset=M\n100.\n*Nset, nset=RP\n9,\n*Solid Section, elset=BLOCK, material=SAND\n,\n*End Part\n*Assembly, name=A\n\
-        *Instance, name=SOIL, part=SOIL\n*End Instance\n\
-        *Instance, name=A, part=BLOCK\n-0.75, 0., 0.1\n*End Instance\n\
-        *Instance, name=B, part=BLOCK\n0.75, 0., 0.1\n*End Instance\n\
-        *Node\n1, -0.75, 0., 0.85\n\
-        *Rigid Body, ref node=A.RP, elset=A.BLOCK\n*Rigid Body, ref node=B.RP, elset=B.BLOCK\n"
-        + assembly
-        + "*End Assembly\n*Material, name=SAND\n*Density\n1600.,\n*Elastic\n1.e7, 0.3\n*Mohr Coulomb\n32., 0.1\n\
-           *Mohr Coulomb Hardening\n100., 0.\n*Initial Conditions, type=volume fraction\nSOIL.SOIL, SAND-1, 1.\n"
-        + model
-        + "*Step, name=GO\n*Dynamic, Explicit\n, 1.\n*Dload\n, grav, 9.81, 0., 0., -1.\n"
-        + step
-        + "*End Step\n"
-}
 
 fn of(assembly: &str, model: &str, step: &str) -> Result<Imported, Box<Refused>> {
-    import(&deck::read_with(&deck(assembly, model, step), "two.inp", |_| Err(String::new())), None, "two")
+    import(
+        &deck::read_with(&small::deck(assembly, model, step), "two.inp", |_| Err(String::new())),
+        None,
+        "two",
+    )
 }
 
 /// The case, which must be read without a problem, and the import.
@@ -208,7 +174,9 @@ fn a_driven_hinge_turns_the_body_and_a_driven_translator_moves_it() {
     has(&case(&hinge, "", &step), &["spin = { speed = \"3 rad/s\""]);
     has(&case(&hinge, "", &step.replace("Motion, type=velocity", "Load")), &["spin = { load = \"3 N*m\""]);
     refused(&hinge, "", &step.replace("4, 3.", "1, 3."), "can be driven");
-    refused(&hinge, "", &step.replace("A.RP, 4, 6", "A.RP, 4, 5"), "hold one of them");
+    let turning = step.replace("A.RP, 4, 6", "A.RP, 4, 5");
+    refused(&hinge, "", &turning, "hold one of them");
+    has(&case(&hinge, "", &turning.replace("Motion, type=velocity", "Load")), &["drive_torque = \"3 N*m\""]);
     refused(&hinge, "", &step.replace("LINK, 4", "NONE, 4"), "no connector \"NONE\"");
     let slider =
         hinge.replace("Hinge", "Translator").replace("0., 1., 0., 0., 0., 1.", "0., 0., 1., 1., 0., 0.");
@@ -290,4 +258,15 @@ fn what_is_known_and_not_represented_has_a_reason() {
     let found = texts(&of("", user, TOW).map(|done| done.case).unwrap_err());
     assert_eq!(found.iter().filter(|text| text.contains("user subroutines")).count(), 2, "{found:?}");
     refused("*Tie, name=T\nX, Y\n", "", &(TOW.to_owned() + &TOW.replace("A.", "B.")), "by connectors");
+}
+
+#[test]
+fn joints_lie_in_the_plane_of_symmetry() {
+    let quarter = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/decks/cone.inp")).unwrap();
+    let end =
+        format!("{}{SPRING}*Boundary\nANCHOR, ENCASTRE\n", ANCHOR.replace("-0.2, 0., 0.12", "0., 0., 0.4"));
+    let text = quarter.replace("*End Assembly\n", &end);
+    let deck = deck::read_with(&text, "cone.inp", |_| Err(String::new()));
+    let found = texts(&import(&deck, None, "cone").map(|done| done.case).unwrap_err());
+    assert!(found.iter().any(|text| text.contains("symmetric about x = 0")), "{found:?}");
 }
