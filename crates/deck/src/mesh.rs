@@ -58,7 +58,7 @@ fn size(kind: &str) -> Option<usize> {
         (6, &["C3D6"]),
         (4, &["C3D4", "R3D4", "S4", "SFM3D4", "M3D4"]),
         (3, &["R3D3", "S3", "SFM3D3", "M3D3"]),
-        (2, &["CONN3D2"]),
+        (2, &["CONN3D2", "SPRINGA"]),
         (1, &["MASS", "ROTARYI"]),
     ];
     words

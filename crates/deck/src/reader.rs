@@ -42,7 +42,7 @@ fn read(state: &mut State, number: usize, block: &Block) -> Read {
         "NSET" | "ELSET" => sets::read(state, number, block),
         "SURFACE" | "RIGID BODY" | "ORIENTATION" => surfaces::read(state, number, block),
         "EULERIAN SECTION" | "SOLID SECTION" | "SHELL SECTION" | "MASS" | "ROTARY INERTIA"
-        | "CONNECTOR SECTION" => surfaces::section(state, number, block),
+        | "CONNECTOR SECTION" | "SPRING" => surfaces::section(state, number, block),
         "MATERIAL"
         | "DENSITY"
         | "ELASTIC"

@@ -2,7 +2,8 @@
 
 use crate::hull::{self, Hull};
 use crate::notes::Notes;
-use deck::model::{Id, RigidBody, Section, Surface};
+use deck::Deck;
+use deck::model::{Id, RigidBody, Surface};
 use std::collections::{HashMap, HashSet};
 
 /// A rigid body, in axes and units of the deck.
@@ -30,6 +31,11 @@ impl Body {
     }
 }
 
+/// Whether a block is the section of connectors.
+pub(super) fn is_connector(deck: &Deck, block: usize) -> bool {
+    ["CONNECTOR SECTION", "SPRING"].contains(&deck.blocks[block].keyword.as_str())
+}
+
 /// The nodes of all bodies, with the number of their body.
 pub(super) fn owners(notes: &Notes, bodies: &[Body]) -> HashMap<Id, usize> {
     let deck = notes.deck;
@@ -47,8 +53,7 @@ pub(super) fn add_points(notes: &mut Notes, bodies: &mut Vec<Body>) {
     let deck = notes.deck;
     let mut known: HashSet<Id> = owners(notes, bodies).into_keys().collect();
     for (region, own) in deck.regions.iter().enumerate() {
-        let of = |section: &&Section| deck.blocks[section.block].keyword == "CONNECTOR SECTION";
-        for section in own.sections.iter().filter(of) {
+        for section in own.sections.iter().filter(|section| is_connector(deck, section.block)) {
             let ids = deck.elements(region, &section.elements).unwrap_or_default();
             let nodes = ids.iter().filter_map(|id| deck.element(*id)).flat_map(|element| &element.nodes);
             for id in nodes.filter(|id| id.label > 0) {

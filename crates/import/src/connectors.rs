@@ -2,8 +2,9 @@
 
 use crate::bodies::{self, Body};
 use crate::notes::Notes;
+use crate::springs::{self, Spring};
 use deck::block::{Row, Wrong};
-use deck::model::{Id, Section};
+use deck::model::{Element, Id, Section};
 use std::collections::{HashMap, HashSet};
 
 /// What a connector does, in axes and units of the deck.
@@ -19,18 +20,6 @@ pub(super) enum Kind {
     Spring(Spring),
     /// It makes one body of two.
     Weld,
-}
-
-/// A spring with a damper.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Spring {
-    pub(super) stiffness: f64,
-    pub(super) damping: f64,
-    /// Length without force; that at the start where it is not given.
-    pub(super) length: Option<f64>,
-    /// By how much more than this length a cable is slack.
-    pub(super) slack: f64,
-    pub(super) is_cable: bool,
 }
 
 /// A connector between two bodies.
@@ -53,6 +42,8 @@ pub(super) struct Joint {
     pub(super) torque: Option<(f64, usize)>,
 }
 
+/// Elements that are connectors.
+const KINDS: [&str; 2] = ["CONN3D2", "SPRINGA"];
 /// Most connectors.
 const MOST: usize = 1000;
 
@@ -62,8 +53,7 @@ pub(super) fn joints(notes: &mut Notes, bodies: &[Body]) -> Vec<Joint> {
     let owners = bodies::owners(notes, bodies);
     let (mut found, mut seen) = (Vec::new(), HashSet::new());
     for (region, own) in deck.regions.iter().enumerate() {
-        let of = |section: &&Section| deck.blocks[section.block].keyword == "CONNECTOR SECTION";
-        for section in own.sections.iter().filter(of) {
+        for section in own.sections.iter().filter(|section| bodies::is_connector(deck, section.block)) {
             let ids = deck.elements(region, &section.elements).unwrap_or_default();
             seen.extend(ids.iter().copied());
             match kind(notes, region, section).and_then(|kind| placed(notes, section, &ids, kind, &owners)) {
@@ -79,11 +69,11 @@ pub(super) fn joints(notes: &mut Notes, bodies: &[Body]) -> Vec<Joint> {
                 Err(wrong) => notes.refused(section.block, wrong),
             }
         }
-        let alone = own.elements.iter().filter(|(_, element)| element.kind == "CONN3D2");
+        let alone = own.elements.iter().filter(|(_, element)| KINDS.contains(&element.kind.as_str()));
         let alone =
             alone.map(|(label, _)| *label).find(|label| !seen.contains(&Id { region, label: *label }));
         if let Some(label) = alone {
-            notes.lacks(format!("Connector element {label} has no *Connector Section."));
+            notes.lacks(format!("Connector element {label} has no *Connector Section or *Spring."));
         }
     }
     for block in deck.behaviours.values().flatten() {
@@ -109,6 +99,11 @@ fn kind(notes: &mut Notes, region: usize, section: &Section) -> Result<Option<Ki
     let [first, rest @ ..] = section.rows.as_slice() else {
         return Err("a line with its type was expected".into());
     };
+    if deck.blocks[section.block].keyword == "SPRING" {
+        let stiffness =
+            springs::only(&section.rows, "one stiffness above 0 was expected", |value| value > 0.0)?;
+        return Ok(Some(Kind::Spring(Spring { stiffness, ..Spring::default() })));
+    }
     let types: Vec<String> =
         first.fields().into_iter().map(str::to_uppercase).filter(|t| !t.is_empty()).collect();
     let words: Vec<&str> = types.iter().map(String::as_str).collect();
@@ -144,7 +139,7 @@ fn kind(notes: &mut Notes, region: usize, section: &Section) -> Result<Option<Ki
             Ok(None)
         }
         Kind::Spring(_) if words[0] == "AXIAL" => {
-            spring(notes, behaviour).map(|spring| Some(Kind::Spring(spring)))
+            springs::of_behaviour(notes, behaviour).map(|spring| Some(Kind::Spring(spring)))
         }
         kind => {
             for block in behaviour.iter().skip(1) {
@@ -184,84 +179,6 @@ fn orientations(notes: &mut Notes, region: usize, rows: &[Row]) -> Result<Option
     Ok(axes.first().copied())
 }
 
-/// A spring from the tables of a behaviour.
-fn spring(notes: &mut Notes, behaviour: &[usize]) -> Result<Spring, Wrong> {
-    let deck = notes.deck;
-    let (mut spring, mut is_refused) = (Spring::default(), false);
-    for number in behaviour.iter().skip(1) {
-        let block = &deck.blocks[*number];
-        let first = block.rows.first().ok_or("a line of data was expected");
-        let is_along = block.word("COMPONENT").is_some_and(|component| component == "1");
-        let result: Result<(), Wrong> = (|| {
-            match block.keyword.as_str() {
-            "CONNECTOR ELASTICITY" if is_along && block.has("NONLINEAR") => {
-                (spring.stiffness, spring.slack, spring.is_cable) = table(&block.rows)?;
-                let goes_on = [behaviour[0], *number].into_iter().any(|block| {
-                    deck.blocks[block].word("EXTRAPOLATION").is_some_and(|word| word == "LINEAR")
-                });
-                if !goes_on {
-                    let text = "beyond its last point the stiffness goes on, where Abaqus keeps the force";
-                    notes.approximated(*number, text);
-                }
-                Ok(())
-            }
-            "CONNECTOR ELASTICITY" if is_along && !block.has("RIGID") => {
-                spring.stiffness = first?.number(0)?.filter(|value| *value > 0.0).ok_or("a stiffness above 0 was expected")?;
-                Ok(())
-            }
-            "CONNECTOR DAMPING" if is_along && !block.has("NONLINEAR") => {
-                spring.damping = first?.number(0)?.filter(|value| *value >= 0.0).ok_or("a damping of 0 or more was expected")?;
-                Ok(())
-            }
-            "CONNECTOR CONSTITUTIVE REFERENCE" => {
-                spring.length = first?.number(0)?;
-                let is_right = spring.length.is_none_or(|length| length > 0.0);
-                if is_right { Ok(()) } else { Err("a length above 0 was expected".into()) }
-            }
-            _ => Err("of an AXIAL connector linear elasticity, damping (component=1) and reference length are represented, and elasticity that only pulls".into()),
-        }
-        })();
-        match result {
-            Ok(()) => notes.understood(*number, "a spring with a damper"),
-            Err(wrong) => {
-                notes.refused(*number, wrong);
-                is_refused = true;
-            }
-        }
-    }
-    behaviour.iter().take(1).for_each(|block| notes.understood(*block, "behaviour of a connector"));
-    if spring.stiffness > 0.0 || is_refused {
-        Ok(spring)
-    } else {
-        Err("a spring was expected: give it *Connector Elasticity".into())
-    }
-}
-
-/// Stiffness, slack, and whether it only pulls, from pairs of force and extension.
-fn table(rows: &[Row]) -> Result<(f64, f64, bool), Wrong> {
-    let mut points = Vec::new();
-    for row in rows {
-        let [force, extension] = row.numbers()?[..] else {
-            return Err(Wrong::at(row.place, "a force and an extension were expected"));
-        };
-        points.push([force, extension]);
-    }
-    let taut = points.iter().position(|[force, _]| *force > 0.0).unwrap_or(0);
-    let is_cable = taut > 0 && points[..taut].iter().all(|[force, _]| *force == 0.0);
-    let slack = if is_cable { points[taut - 1][1] } else { 0.0 };
-    let [force, extension] = points.last().copied().unwrap_or_default();
-    let stiffness = force / (extension - slack);
-    let straight = if is_cable { &points[taut..] } else { &points[..] };
-    let scale = 1e-9 * stiffness * (extension - slack);
-    let is_on =
-        |[force, at]: &[f64; 2]| (force - stiffness * (at - slack)).abs() <= scale.max(1e-6 * force.abs());
-    let is_rising = points.len() >= 2 && points.windows(2).all(|pair| pair[1][1] > pair[0][1]);
-    if is_rising && stiffness > 0.0 && stiffness.is_finite() && straight.iter().all(is_on) {
-        return Ok((stiffness, slack, is_cable));
-    }
-    Err("a straight line through 0 was expected, or no force up to an extension and a straight line beyond it".into())
-}
-
 /// The connectors of a section at their bodies.
 fn placed(
     notes: &mut Notes,
@@ -277,9 +194,9 @@ fn placed(
     }
     let mut found = Vec::new();
     for id in ids {
+        let of = |element: &&Element| KINDS.contains(&element.kind.as_str()) && element.nodes.len() == 2;
         let element =
-            deck.element(*id).filter(|element| element.kind == "CONN3D2" && element.nodes.len() == 2);
-        let element = element.ok_or_else(|| format!("element {} is no CONN3D2", id.label))?;
+            deck.element(*id).filter(of).ok_or_else(|| format!("element {} is no connector", id.label))?;
         let nodes = [element.nodes[0], element.nodes[1]];
         let ends = nodes.map(|node| owners.get(&node).copied());
         let points = nodes.map(|node| deck.node(node));

@@ -1,6 +1,6 @@
 //! Which body carries which, which are welded into one, and what drives their joints.
 
-use crate::bodies::Body;
+use crate::bodies::{self, Body};
 use crate::connectors::{Joint, Kind};
 use crate::masses::Inertia;
 use crate::moves::{self, Dof, Move, StepMoves, update};
@@ -162,7 +162,7 @@ pub(super) fn gear(
 
 /// Whether a body is a node alone.
 fn is_point(notes: &Notes, body: &Body) -> bool {
-    notes.deck.blocks[body.block].keyword == "CONNECTOR SECTION"
+    bodies::is_connector(notes.deck, body.block)
 }
 
 /// How far each body is from what is held or moved: by its own free translations, or by joints.

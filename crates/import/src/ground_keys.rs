@@ -90,7 +90,10 @@ fn unused(notes: &mut Notes) {
             std::iter::once(material.block).chain(material.properties.values().map(|property| property.block))
         {
             if !notes.ledger.has(block) {
-                notes.ignored(block, "no soil of the case is of this material");
+                notes.ignored(
+                    block,
+                    "no soil is of this material; of that of a rigid body only the density counts",
+                );
             }
         }
     }

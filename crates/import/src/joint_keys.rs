@@ -1,9 +1,10 @@
 //! The joints of a case: `[joint.NAME]`.
 
 use crate::case_text::{CaseText, digits, quantity};
-use crate::connectors::{Joint, Kind, Spring};
+use crate::connectors::{Joint, Kind};
 use crate::facts::Facts;
 use crate::notes::Notes;
+use crate::springs::Spring;
 
 /// Writes the joints; `surface` is the height of the ground [m].
 pub(super) fn joints(notes: &mut Notes, text: &mut CaseText, facts: &Facts, surface: f64) {

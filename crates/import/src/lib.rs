@@ -33,6 +33,7 @@ mod report;
 mod rest;
 mod shape;
 mod soil;
+mod springs;
 mod stl;
 mod units;
 mod walls;

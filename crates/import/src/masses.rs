@@ -102,9 +102,10 @@ fn solids(notes: &mut Notes, bodies: &[Body], found: &mut [Inertia]) {
                 section.material.as_ref().and_then(|name| deck.materials.iter().find(|m| m.name == *name));
             let density = material
                 .and_then(|m| m.properties.get("DENSITY"))
-                .and_then(|p| p.rows.first()?.first().copied());
+                .and_then(|p| Some((p.block, p.rows.first()?.first().copied()?)));
             match density.filter(|_| is_solid && found[body].mass.is_none()) {
-                Some(density) => {
+                Some((block, density)) => {
+                    notes.understood(block, format!("density of {}", bodies[body].name));
                     found[body].mass = Some((density * bodies[body].hull.volume().abs(), section.block));
                     notes.understood(
                         section.block,
@@ -115,22 +116,6 @@ fn solids(notes: &mut Notes, bodies: &[Body], found: &mut [Inertia]) {
                     notes.ignored(section.block, "the body is rigid: only *Mass at its reference node weighs")
                 }
             }
-            if let Some(material) = material {
-                rigid_material(
-                    notes,
-                    material.block,
-                    material.properties.values().map(|p| p.block).collect(),
-                );
-            }
-        }
-    }
-}
-
-/// What is said of the material of a rigid body.
-fn rigid_material(notes: &mut Notes, material: usize, properties: Vec<usize>) {
-    for block in std::iter::once(material).chain(properties) {
-        if !notes.ledger.has(block) {
-            notes.ignored(block, "the body is rigid: of its material nothing but the density counts");
         }
     }
 }

@@ -72,6 +72,11 @@ pub(super) fn moves(notes: &mut Notes, bodies: &[Body], mesh: &Eulerian) -> (Vec
         (deck.always.iter().collect(), Vec::new());
     let mut all = Vec::new();
     for step in &deck.steps {
+        for action in step.actions.iter().filter(|action| action.rows.is_empty() && action.replaces) {
+            if deck.blocks[action.block].keyword != "DLOAD" {
+                notes.understood(action.block, "what acted before ends");
+            }
+        }
         for (keyword, active) in [("BOUNDARY", &mut boundaries), ("CLOAD", &mut loads)] {
             update(deck, step, keyword, active);
         }

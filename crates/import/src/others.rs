@@ -72,7 +72,7 @@ const LEFT_OUT: [(&str, &str); 27] = [
 ];
 
 /// Keywords that are known and not represented, and why.
-const REFUSED: [(&str, &str); 38] = [
+const REFUSED: [(&str, &str); 37] = [
     ("USER MATERIAL", SUBROUTINE),
     ("DEPVAR", SUBROUTINE),
     ("USER DEFINED FIELD", SUBROUTINE),
@@ -118,7 +118,6 @@ const REFUSED: [(&str, &str); 38] = [
     ("BEAM SECTION", DEFORMS),
     ("BEAM GENERAL SECTION", DEFORMS),
     ("MEMBRANE SECTION", DEFORMS),
-    ("SPRING", "a spring is a connector of type AXIAL with *Connector Elasticity"),
     ("DASHPOT", "a damper is a connector of type AXIAL with *Connector Elasticity and *Connector Damping"),
 ];
 const SUBROUTINE: &str = "user subroutines are not run: choose a law of the case, law = \"sand\" for strength that follows density";

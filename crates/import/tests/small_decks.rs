@@ -83,6 +83,11 @@ fn pairs_of_basic_types_are_the_joints_that_they_make() {
         let imported = case(&format!("{ACROSS}{CONNECTOR}\n{types}\n\"Datum 1\"\n"), "", TOW);
         has(&imported, &[&format!("kind = \"{kind}\"")]);
     }
+    let ground = format!("{CONNECTOR}\nJoin\n").replace("A.9, B.9", "B.9,");
+    has(
+        &case(&ground, "", TOW),
+        &["bodies = [\"ground\", \"b-block\"]", "at = [\"0.75 m\", \"0 m\", \"0.35 m\"]"],
+    );
     let imported = case(&format!("{CONNECTOR}\nBeam,\n"), "", TOW);
     has(&imported, &["welded_to = \"a-block\""]);
     assert!(!imported.case.contains("[joint."));
@@ -133,6 +138,11 @@ fn an_axial_connector_is_a_spring_or_a_cable_and_a_node_alone_a_frame() {
     has(&case(WINCH, cable, PULL), &["kind = \"cable\"", "stiffness = \"2000 N/m\"", "length = \"1.3 m\""]);
     let bent = "*Connector Behavior, name=LINE\n*Connector Elasticity, component=1, nonlinear\n-1., -1.\n0., 0.\n20., 0.2\n";
     refused(WINCH, bent, PULL, "straight line");
+    let plain = WINCH.replace("CONN3D2", "SpringA");
+    let plain =
+        plain.replace("*Connector Section, elset=LINK, behavior=LINE\nAxial,", "*Spring, elset=LINK\n\n500.");
+    has(&case(&plain, "", PULL), &["kind = \"spring\"", "stiffness = \"500 N/m\""]);
+    refused(&plain.replace("500.", "500., 0.1"), "", PULL, "one stiffness");
     let stop = SPRING.to_owned() + "*Connector Stop, component=1\n0., 1.\n";
     refused(WINCH, &stop, PULL, "reference length are represented");
     refused(
@@ -250,6 +260,15 @@ fn an_amplitude_that_swings_is_a_table() {
     refused("", &swing.replace("6.283185307", "6.3e9"), &step, "more often than a table");
     let found = texts(&of("", &swing.replace("2, 6.2", "3, 6.2"), &step).map(|done| done.case).unwrap_err());
     assert!(found.iter().any(|text| text.contains("two factors for each term")), "{found:?}");
+}
+
+#[test]
+fn a_condition_without_data_ends_what_acted_before() {
+    let both =
+        TOW.to_owned() + &TOW.replace("A.", "B.") + "*End Step\n*Step, name=REST\n*Dynamic, Explicit\n, 1.\n";
+    let imported = case("", "", &(both.clone() + "*Boundary, op=new\n*Cload, op=new\n"));
+    has(&imported, &["a-block.forward = \"free\"", "a-block.tilt_motion = \"free\""]);
+    refused("", "", &(both + "*Dload, op=new\n"), "DLOAD");
 }
 
 #[test]
