@@ -1,5 +1,5 @@
-//! What the sources of `physics` and `kernels` need of `std`, for a device that has only `core`: the square root.
-//! Other functions of floats are named in constructors, which the host alone calls.
+//! What the sources of `physics` and `kernels` need of `std`, for a device that has only `core`: the square
+//! root. Other functions of floats are named in constructors, which the host alone calls.
 #![no_std]
 #![feature(core_intrinsics, rustc_attrs)]
 #![allow(internal_features)]

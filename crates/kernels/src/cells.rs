@@ -93,8 +93,8 @@ pub fn runs(material: &[u8], columns: Range<usize>) -> impl Iterator<Item = (Ran
     })
 }
 
-/// Maximum number of cells in a block on the processor: its scratch memory must fit into a first-level cache of
-/// 32 KiB.
+/// Maximum number of cells in a block on the processor: its scratch memory must fit into a first-level cache
+/// of 32 KiB.
 const PROCESSOR_BLOCK: usize = 768 / size_of::<Real>();
 
 /// Maximum number of cells in a block.

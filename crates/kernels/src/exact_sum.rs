@@ -3,8 +3,8 @@
 //!
 //! The sum is kept as a whole number of units in the last place of the smallest number, in digits of 32 bits
 //! with room for carries: the small superaccumulator of R. M. Neal (2015), Fast exact summation using small
-//! and large superaccumulators, arXiv:1505.05571, section 3. Blocks of a grid add their digits as whole numbers,
-//! so that no block needs the terms of the others.
+//! and large superaccumulators, arXiv:1505.05571, section 3. Blocks of a grid add their digits as whole
+//! numbers, so that no block needs the terms of the others.
 
 /// Number of digits: enough for every finite number, and for carries beyond the largest.
 const DIGITS: usize = 67;
@@ -79,8 +79,8 @@ impl ExactSum {
         self.digits.iter_mut().zip(other.digits).for_each(|(own, digit)| *own += digit);
     }
 
-    /// The sum as whole numbers: those of sums over several parts may be added one by one, and make up the sum
-    /// over all.
+    /// The sum as whole numbers: those of sums over several parts may be added one by one, and make up the
+    /// sum over all.
     #[must_use]
     pub fn numbers(mut self) -> [i64; NUMBERS] {
         self.carry();

@@ -1,8 +1,8 @@
 //! A plane that cuts a unit cell at a given volume fraction (PLIC).
 //!
 //! Normal from the volume fractions round the cell (Youngs 1984); plane constant and cut volume in closed
-//! form (Scardovelli & Zaleski 2000). Everything is done in the cell's own unit coordinates, and by arithmetic
-//! and square roots alone: these have the same bits on every processor.
+//! form (Scardovelli & Zaleski 2000). Everything is done in the cell's own unit coordinates, and by
+//! arithmetic and square roots alone: these have the same bits on every processor.
 
 use crate::double::select::{clamp, max, min};
 use crate::double::tensor::{SQRT_3, third_of_angle};
@@ -112,8 +112,8 @@ fn constant_below_half(m: [f64; 3], v: f64) -> f64 {
     }
 }
 
-/// The middle one of the three real roots of `a0 + a1 x + a2 x² + a3 x³`: Viète's formula, with a third of the
-/// angle from complex numbers.
+/// The middle one of the three real roots of `a0 + a1 x + a2 x² + a3 x³`: Viète's formula, with a third of
+/// the angle from complex numbers.
 fn root([a0, a1, a2, a3]: [f64; 4]) -> f64 {
     let (a0, a1, a2) = (a0 / a3, a1 / a3, a2 / a3);
     let p = min(a1 / 3.0 - a2 * a2 / 9.0, -1e-300);
@@ -123,8 +123,8 @@ fn root([a0, a1, a2, a3]: [f64; 4]) -> f64 {
     (-p).sqrt() * (SQRT_3 * sin - cos) - a2 / 3.0
 }
 
-/// Cube root of a number that is not negative, to within two units in the last place, by arithmetic alone: the
-/// same bits on every processor, which a library does not promise.
+/// Cube root of a number that is not negative, to within two units in the last place, by arithmetic alone:
+/// the same bits on every processor, which a library does not promise.
 fn cube_root(x: f64) -> f64 {
     /// 2⁵⁴, and its cube root: brings the subnormal numbers among the normal ones.
     const UP: [f64; 2] = [18_014_398_509_481_984.0, 262_144.0];

@@ -1,5 +1,5 @@
-//! The larger and the smaller of two numbers by comparison: the methods of floats treat what is not a number with
-//! care, which does not vectorise, and leave the sign of a zero to the processor.
+//! The larger and the smaller of two numbers by comparison: the methods of floats treat what is not a number
+//! with care, which does not vectorise, and leave the sign of a zero to the processor.
 
 use super::Real;
 

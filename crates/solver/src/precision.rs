@@ -43,6 +43,16 @@ impl<R: Precision> Workspace<R> {
         R::workspace(model, state, threads, halo)
     }
 
+    /// A workspace for another state of the same model, with the same threads and device.
+    pub fn restart(&mut self, model: &Model, state: &mut State<R>) {
+        let mut device = self.soil.device.take();
+        *self = Self::of_block(model, state, self.threads(), Halo::whole());
+        if let Some(device) = &mut device {
+            R::forget(device);
+        }
+        self.soil.device = device;
+    }
+
     /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All
     /// blocks must do so after the same step.
     ///

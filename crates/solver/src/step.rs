@@ -5,6 +5,7 @@ use crate::bodies;
 use crate::check::check;
 use crate::contact;
 use crate::cpu::stage_sums::RowSums;
+use crate::device::Touched;
 use crate::error::Breakdown;
 use crate::halo::filling::{At, Layers, begin_filling, end_filling};
 use crate::kernels::Kernels;
@@ -41,7 +42,11 @@ pub(crate) fn stages<R: Kernels>(
     beyond.rest(&mut state.soil);
     let pressed = contact::press(model, state, &contact.confined);
     let mut known = |nodes: &_, before: &_| contact.begin_gather(nodes, before, halo);
-    R::lagrangian_stage(model, state, soil, dt, &mut known, &|| contact.touched(beyond));
+    let touched = || {
+        let (nodes, confined) = contact.entries();
+        Touched::of(nodes, confined.chain(beyond.cells()))
+    };
+    R::lagrangian_stage(model, state, soil, dt, &mut known, &touched);
     let beside_cuts = Layers { at: At::Nodes, depth: 1 };
     begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
     let mut sums = soil.device.as_ref().map_or_else(|| soil.sums_of_stage(), R::sums_of_device);

@@ -14,7 +14,6 @@ use crate::halo::Halo;
 use crate::kernels::Kernels;
 use crate::model::{Model, RimBin};
 use crate::pore_pressure;
-use crate::precision::Precision;
 use crate::state::State;
 use mechanics::{Mechanism, Steering, Step, Work};
 
@@ -154,19 +153,6 @@ impl<R: Kernels> Workspace<R> {
         if let Some(device) = &mut self.soil.device {
             R::bring_home(state, device, changes);
         }
-    }
-
-    /// A workspace for another state of the same model, with the same threads and device.
-    pub fn restart(&mut self, model: &Model, state: &mut State<R>)
-    where
-        R: Precision,
-    {
-        let mut device = self.soil.device.take();
-        *self = Self::of_block(model, state, self.threads(), Halo::whole());
-        if let Some(device) = &mut device {
-            R::forget(device);
-        }
-        self.soil.device = device;
     }
 
     /// Whether the state is complete without what a device holds.

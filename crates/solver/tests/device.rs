@@ -40,8 +40,8 @@ fn start(model: &Model, driver: Replay) -> (State, Workspace) {
     (state, workspace)
 }
 
-/// Between two remaps only contact nodes and sums cross: the first step hands over the fields, others less than
-/// a twentieth of that.
+/// Between two remaps only contact nodes and sums cross: the first step hands over the fields, others less
+/// than a twentieth of that.
 #[test]
 fn no_field_crosses_in_a_step() {
     let model = disc();

@@ -14,11 +14,8 @@ use super::rim_stress::RimStress;
 use super::slip_terms::SlipTerms;
 use super::surface::Surface;
 use crate::cpu::threads::Crew;
-use crate::device::Touched;
-use crate::ghosts::Beyond;
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
-use crate::kernels::Kernels;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::{Nodes, State};
@@ -115,20 +112,9 @@ impl ContactWorkspace {
         self.owners.begin(&self.nodes, (nodes, before), halo);
     }
 
-    /// What a step touches besides the Lagrangian stage: the contact nodes, confined soil and the ground
-    /// beyond boundaries.
-    pub(crate) fn touched<R: Kernels>(&self, beyond: &Beyond<R>) -> Touched {
-        let of = |entries: &mut dyn Iterator<Item = usize>| {
-            let mut all: Vec<u32> = entries.map(|n| n as u32).collect();
-            all.sort_unstable();
-            all.dedup();
-            all
-        };
-        let confined = self.confined.iter().map(|own| own.cell);
-        Touched {
-            nodes: of(&mut self.nodes.iter().filter_map(|node| node.node)),
-            cells: of(&mut confined.chain(beyond.cells())),
-        }
+    /// Contact nodes of this block, and cells with confined soil: indices in memory.
+    pub(crate) fn entries(&self) -> (impl Iterator<Item = usize>, impl Iterator<Item = usize>) {
+        (self.nodes.iter().filter_map(|node| node.node), self.confined.iter().map(|own| own.cell))
     }
 
     /// First row of nodes in memory that other blocks need of this one, if there is one.

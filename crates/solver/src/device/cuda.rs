@@ -1,7 +1,7 @@
 //! NVIDIA's devices, by their driver's library, which is looked for when a run asks for one.
 #![allow(unsafe_code)] // The driver's functions take addresses.
 
-use super::{Address, DeviceError, Driver, Launch};
+use super::driver::{Address, DeviceError, Driver, Launch};
 use ::kernels::launch::Kernel;
 use cudarc::driver::result::{self, DriverError};
 use cudarc::driver::sys;

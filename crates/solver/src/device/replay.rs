@@ -2,7 +2,7 @@
 //! blocks of threads, the blocks in random order.
 #![allow(unsafe_code)] // Memory that is known by its addresses, as that of a device.
 
-use super::{Address, DeviceError, Driver, Launch};
+use super::driver::{Address, DeviceError, Driver, Launch};
 use rustc_hash::FxHashMap;
 
 /// Threads in a block.
