@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Runs the ten decks of crates/import/decks, from import to report, and prints force, closed form, grade and time.
 
-usage: scripts/decks/run.py COULTER [NAME ...]
+usage: scripts/decks/run.py COULTER [NAME ...] [--set KEY=VALUE ...] [--keep FOLDER]
 
-The force is the last filtered one; the closed form that of `coulter forecast` at the depth where the run ends.
+The force is the last filtered one; the closed form that of `coulter forecast` at the depth where the run ends. Keys are set in the
+case, which is kept with its results in FOLDER.
 """
 
+import argparse
 import csv
 import json
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
@@ -21,31 +22,37 @@ MODELS = {"plate": "bearing capacity", "plough": "PW plane strain", "anchor": "u
 TOWED = {"plough", "wheel", "disc", "pipe"}
 
 
-def closed_form(coulter, case, name):
+def closed_form(coulter, case, name, keys):
     if name not in MODELS:
         return None
-    printed = subprocess.run([coulter, "forecast", "--json", str(case)], capture_output=True, text=True, check=True).stdout
+    printed = subprocess.run([coulter, "forecast", "--json", str(case), *keys], capture_output=True, text=True, check=True).stdout
     model = next(model for model in json.loads(printed)["models"] if model["name"] == MODELS[name])
     return model["drag_N" if name in TOWED else "vertical_N"]
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    coulter = str(Path(sys.argv[1]).resolve())
-    names = sys.argv[2:] or sorted(path.stem for path in DECKS.glob("*.inp"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("coulter", type=Path)
+    parser.add_argument("names", nargs="*", default=sorted(path.stem for path in DECKS.glob("*.inp")))
+    parser.add_argument("--set", action="append", default=[])
+    parser.add_argument("--keep", type=Path)
+    arguments = parser.parse_args()
+    coulter = str(arguments.coulter.resolve())
+    keys = [f"--set={key}" for key in arguments.set]
     print("| deck | force [N] | closed form [N] | difference | grade | time [s] |\n|---|--:|--:|--:|---|--:|")
-    for name in names:
+    for name in arguments.names:
         with tempfile.TemporaryDirectory() as folder:
-            case, results = Path(folder) / f"{name}.toml", Path(folder) / "results"
+            folder = arguments.keep or Path(folder)
+            folder.mkdir(exist_ok=True)
+            case, results = folder / f"{name}.toml", folder / name
             began = time.monotonic()
-            subprocess.run([coulter, "import", str(DECKS / f"{name}.inp"), "-o", str(case)], capture_output=True, check=True)
-            run = subprocess.run([coulter, "run", str(case), "-o", str(results)], capture_output=True, text=True)
+            subprocess.run([coulter, "import", str(DECKS / f"{name}.inp"), "-o", str(case), "--force"], capture_output=True, check=True)
+            run = subprocess.run([coulter, "run", str(case), "-o", str(results), "--force", *keys], capture_output=True, text=True)
             seconds = time.monotonic() - began
             summary = json.loads((results / "summary.json").read_text()) if (results / "summary.json").is_file() else {}
             grade = summary.get("trust", {}).get("verdict", run.stderr.strip()[:60] or "none")
             force, ratio = "–", "–"
-            expected = closed_form(coulter, case, name)
+            expected = closed_form(coulter, case, name, keys)
             if summary.get("bodies"):
                 rows = list(csv.DictReader((results / "filtered.csv").open()))
                 column = "drag F_H [N]" if name in TOWED else "vertical F_V [N]"
