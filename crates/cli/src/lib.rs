@@ -10,6 +10,7 @@ mod check;
 mod common;
 mod compare;
 mod element;
+mod export_fields;
 mod export_fmu;
 mod failure;
 mod forecast;
@@ -78,6 +79,8 @@ enum Command {
     Sweep(sweep::Arguments),
     /// Writes a case as a functional mock-up unit, which other simulators drive (FMI 3.0, co-simulation)
     ExportFmu(export_fmu::Arguments),
+    /// Writes the fields of a run as VTKHDF, under the names of Abaqus: EVF, S, PEEQ, V, U, RF
+    ExportFields(export_fields::Arguments),
     /// Runs the verification suite: expected, obtained, error
     Verify(verify::Arguments),
     /// Measures the speed of the solver on this machine, by stage
@@ -150,6 +153,7 @@ fn execute(program: &Path, arguments: &Arguments) -> u8 {
         Command::Run(arguments) => run::run(arguments),
         Command::Sweep(arguments) => sweep::sweep(program, arguments),
         Command::ExportFmu(arguments) => export_fmu::run(program, arguments),
+        Command::ExportFields(arguments) => export_fields::run(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
         Command::Bench(arguments) => bench::bench(arguments),
         Command::Report(arguments) => report::report(arguments),

@@ -17,6 +17,7 @@ pub mod progress;
 pub mod tables;
 pub mod trust;
 pub mod vtk;
+pub mod vtkhdf;
 
 pub use files::{EntryKind, FileError, Inside, OutputError};
 pub use progress::Progress;

@@ -14,4 +14,5 @@ pub use report::{
 pub use results::overlay::{Overlay, PlotKind};
 pub use results::{
     EntryKind, FileError, Inside, OutputError, Progress, checkpoint, fields, folder, progress, tables, vtk,
+    vtkhdf,
 };

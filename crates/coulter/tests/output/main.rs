@@ -8,6 +8,7 @@ mod rim;
 mod synthetic;
 mod travel;
 mod vtk;
+mod vtkhdf;
 
 use coulter::case::Case;
 use coulter::history::History;

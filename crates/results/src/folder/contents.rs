@@ -145,7 +145,7 @@ fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
     }
     for (folder, extensions) in [
         (BODIES, &["stl", "obj", "ply", "csv"][..]),
-        (FIELDS, &["vtr", "pvtr", "vtp"]),
+        (FIELDS, &["vtr", "pvtr", "vtp", "vtkhdf"]),
         (PICTURES, &["png", "svg", "csv", "gif", "apng"]),
         (PLOTS, &["svg"]),
         (CHECKPOINTS, &["checkpoint", "portion"]),

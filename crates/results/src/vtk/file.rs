@@ -7,6 +7,7 @@
 use crate::files::{Inside, OutputError, write_whole, write_with};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use glam::DVec3;
 use std::fmt::Write as _;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 
@@ -175,6 +176,8 @@ pub(super) struct Dataset<'a> {
     pub(super) piece: String,
     /// Time [s].
     pub(super) time: f64,
+    /// Vectors that belong to no point or cell.
+    pub(super) facts: Vec<(&'static str, DVec3)>,
     /// The sections (`PointData`, `CellData`, `Points`, …) with their arrays.
     pub(super) sections: Vec<(&'static str, Vec<DataArray<'a>>)>,
 }
@@ -234,12 +237,19 @@ impl Dataset<'_> {
             // Writing to a string cannot fail.
             let _ = write!(content, "<{name}>\n{}</{name}>\n", tags.collect::<String>());
         }
+        let fact = |(name, v): &(&str, DVec3)| {
+            let tag = format!(
+                "DataArray type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"3\" NumberOfTuples=\"1\""
+            );
+            format!("<{tag} format=\"ascii\">{} {} {}</DataArray>\n", v.x, v.y, v.z)
+        };
         let Self { kind, extent, piece, time, .. } = self;
+        let facts: String = self.facts.iter().map(fact).collect();
         format!(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"{kind}\" version=\"1.0\" byte_order=\"LittleEndian\" \
              header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<{kind}{extent}>\n<FieldData>\n\
              <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{time}</DataArray>\n\
-             </FieldData>\n<Piece {piece}>\n{content}</Piece>\n</{kind}>\n<AppendedData encoding=\"raw\">\n_"
+             {facts}</FieldData>\n<Piece {piece}>\n{content}</Piece>\n</{kind}>\n<AppendedData encoding=\"raw\">\n_"
         )
     }
 }

@@ -8,7 +8,9 @@ use geometry::Shape;
 use glam::DVec3;
 use mechanics::BodyState;
 
-/// Writes a body's surface where it is, with the velocity of each point.
+/// Writes a body's surface where it is, with the velocity of each point; of the whole body its reference
+/// point [m], rotation from its own axes to those of space (a vector [rad]), velocity [m/s], angular velocity
+/// [rad/s].
 pub(super) fn write_body(
     file: &Inside,
     shape: &dyn Shape,
@@ -25,7 +27,13 @@ pub(super) fn write_body(
         polygons: mesh.triangles.iter().map(|corners| corners.map(i64::from)),
         polygon_count: mesh.triangles.len(),
     };
-    surface.write(file, time, vec![DataArray::singles("velocity", [arms.len(), 3], velocities)])
+    let facts = vec![
+        ("reference_point", body.pose.position),
+        ("rotation", body.pose.rotation.to_scaled_axis()),
+        ("velocity", body.twist.linear),
+        ("angular_velocity", body.twist.angular),
+    ];
+    surface.write(file, time, facts, vec![DataArray::singles("velocity", [arms.len(), 3], velocities)])
 }
 
 /// Writes the free surface, with its height over the undisturbed one.
@@ -52,7 +60,7 @@ pub(super) fn write_surface(file: &Inside, map: &HeightMap, time: f64) -> Result
         array("disturbed", |column| column.disturbed),
         array("mixed", |column| column.mixed),
     ];
-    surface.write(file, time, point_data)
+    surface.write(file, time, Vec::new(), point_data)
 }
 
 /// Polygons of N corners each.
@@ -64,7 +72,13 @@ struct Surface<P, F> {
 }
 
 impl<P: Iterator<Item = DVec3>, F: Iterator<Item = [i64; N]>, const N: usize> Surface<P, F> {
-    fn write(self, file: &Inside, time: f64, point_data: Vec<DataArray>) -> Result<(), OutputError> {
+    fn write(
+        self,
+        file: &Inside,
+        time: f64,
+        facts: Vec<(&'static str, DVec3)>,
+        point_data: Vec<DataArray>,
+    ) -> Result<(), OutputError> {
         let (points, polygons) = (self.point_count, self.polygon_count);
         let coordinates = self.points.flat_map(|p| p.to_array());
         let ends = (1..=polygons).map(|n| (n * N) as i64);
@@ -76,6 +90,7 @@ impl<P: Iterator<Item = DVec3>, F: Iterator<Item = [i64; N]>, const N: usize> Su
                  NumberOfPolys=\"{polygons}\""
             ),
             time,
+            facts,
             sections: vec![
                 ("PointData", point_data),
                 ("Points", vec![DataArray::doubles("Points", [points, 3], coordinates)]),

@@ -33,14 +33,50 @@ impl VtkFile {
         Ok(Self { path, head, data: bytes[begin + BEGIN.len()..].to_vec() })
     }
 
-    /// The numbers of an array.
+    /// The numbers of the first array of this name.
     pub fn numbers(&self, name: &str) -> Result<Vec<f64>, OutputError> {
-        let wrong = || OutputError::content(&self.path, format!("cannot make sense of its array `{name}`"));
-        let tag = self.head.lines().find(|line| {
-            line.starts_with("<DataArray ")
-                && attribute(line, "Name") == Some(name)
-                && line.contains("appended")
+        self.unpack(name, self.tags().find(|tag| attribute(tag, "Name") == Some(name)))
+    }
+
+    /// The numbers of an array of a section, such as `CellData`.
+    pub fn numbers_in(&self, section: &str, name: &str) -> Result<Vec<f64>, OutputError> {
+        self.unpack(name, self.section(section).find(|tag| attribute(tag, "Name") == Some(name)))
+    }
+
+    /// Name and number of components of the arrays of a section.
+    pub fn arrays(&self, section: &str) -> impl Iterator<Item = (&str, usize)> {
+        let components = |tag| attribute(tag, "NumberOfComponents").and_then(|text| text.parse().ok());
+        self.section(section).filter_map(move |tag| Some((attribute(tag, "Name")?, components(tag)?)))
+    }
+
+    /// A vector that belongs to no point or cell.
+    pub fn fact(&self, name: &str) -> Result<[f64; 3], OutputError> {
+        let line = self.head.lines().find(|line| {
+            line.starts_with("<DataArray ") && attribute(line, "Name") == Some(name) && line.contains("ascii")
         });
+        let text = line.and_then(|line| line.split('>').nth(1)?.split('<').next());
+        let numbers: Option<Vec<f64>> =
+            text.and_then(|text| text.split(' ').map(|number| number.parse().ok()).collect());
+        numbers.and_then(|numbers| numbers.try_into().ok()).ok_or_else(|| {
+            OutputError::content(&self.path, format!("it has no `{name}`; run the case again"))
+        })
+    }
+
+    /// Tags of the arrays.
+    fn tags(&self) -> impl Iterator<Item = &str> {
+        let is_array = |line: &&str| line.starts_with("<DataArray ") && line.contains("appended");
+        self.head.lines().filter(is_array)
+    }
+
+    /// Tags of the arrays of a section.
+    fn section(&self, name: &str) -> impl Iterator<Item = &str> {
+        let from = self.head.find(&format!("<{name}>")).unwrap_or(self.head.len());
+        let to = self.head.find(&format!("</{name}>")).unwrap_or(self.head.len()).max(from);
+        self.head[from..to].lines().filter(|line| line.starts_with("<DataArray "))
+    }
+
+    fn unpack(&self, name: &str, tag: Option<&str>) -> Result<Vec<f64>, OutputError> {
+        let wrong = || OutputError::content(&self.path, format!("cannot make sense of its array `{name}`"));
         let tag = tag.ok_or_else(wrong)?;
         let offset = attribute(tag, "offset").and_then(|text| text.parse().ok()).ok_or_else(wrong)?;
         let bytes = self.unpacked(offset).ok_or_else(wrong)?;

@@ -68,6 +68,7 @@ fn dataset<'a>(domain: &'a PlacedDomain<'a>, state: &'a State<impl Precision>) -
         extent: format!(" Whole{extent}"),
         piece: extent,
         time: state.time,
+        facts: Vec::new(),
         sections: vec![
             ("PointData", vec![DataArray::singles("velocity", [nodes.iter().product(), 3], node_velocities)]),
             ("CellData", cell_arrays(domain, state)),
