@@ -360,6 +360,9 @@ impl OnDevice {
                 Some(Law::VonMises(law)) => strain!(StrainVonMises, *law),
                 Some(Law::Sand(law)) => strain!(StrainSand, *law),
                 Some(Law::Clay(law)) => strain!(StrainClay, *law),
+                // For a law that is given its kernel later.
+                #[allow(unreachable_patterns)]
+                Some(_) => Err(DeviceError("devices do not have the soil's law".to_owned())),
             }?;
         }
         self.launch(Kernel::MoveNodes, cells, arrays, &0_u64)
