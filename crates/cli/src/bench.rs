@@ -5,8 +5,10 @@ use crate::failure::Failure;
 use crate::processes::{self, World};
 use coulter::bench::{self, Network, Options, RankError, RankMeasurement, TOWED_DISC};
 use coulter::case::{self, cores};
+use coulter::run::Device;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::str::FromStr;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -24,6 +26,9 @@ pub(super) struct Arguments {
     /// Steps to measure
     #[arg(long, value_name = "N", default_value_t = 1500, value_parser = clap::value_parser!(u32).range(1..))]
     steps: u32,
+    /// Measure the same steps on this device (gpu, gpu:1, stand-in) and on the processor, and compare all bits
+    #[arg(long, value_name = "DEVICE", conflicts_with = "ranks", value_parser = Device::from_str)]
+    device: Option<Device>,
     /// Measure in these numbers of MPI processes, each with one thread unless --threads says otherwise, and
     /// predict more
     #[arg(long, value_name = "N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
@@ -66,6 +71,11 @@ fn bench_in(arguments: &Arguments, world: &World) -> Result<(), Failure> {
         let counts = arguments.ranks.iter();
         let measured = counts.map(|ranks| on_ranks(arguments, &options, *ranks)).collect::<Result<_, _>>()?;
         return say_scaling(arguments, measured);
+    }
+    if let Some(device) = arguments.device {
+        let measured = bench::measure_on_device(&options, device)
+            .map_err(|error| Failure::Request(error.to_string()))?;
+        return if arguments.json { say_json(&measured) } else { say(&bench::device_table(&measured)) };
     }
     let measured = bench::measure(&options).map_err(|cause| Failure::Physics(cause.to_string()))?;
     if arguments.json {

@@ -12,6 +12,7 @@ use super::lagrange::{apply_boundaries, strained_columns};
 use super::physics::law::Law;
 use super::{Real, State, Workspace};
 use crate::cpu::stage_sums::StageSums;
+use crate::cpu::stopwatch::Stage;
 use crate::device::{Address, DeviceError, Driver, Launch, Touched};
 use crate::exact_sum::ExactSum;
 use crate::fields::HISTORY_COUNT;
@@ -272,11 +273,13 @@ impl OnDevice {
     ) {
         let clears = workspace.clear < 2;
         workspace.clear += u8::from(clears);
+        workspace.stopwatch().lap(Stage::Other);
         self.unless_failed(|device| {
             if device.is_current {
                 device.give_cells(model, state)?;
             } else {
                 device.hand_over(model, state, workspace, touched())?;
+                workspace.stopwatch().lap(Stage::Remap);
             }
             device.is_home = false;
             device.ahead = 1 - device.ahead;
@@ -286,6 +289,7 @@ impl OnDevice {
             device.take_nodes(model, state, &mut workspace.velocity_before)?;
             device.take_cells(model, state)
         });
+        workspace.stopwatch().lap(Stage::Lagrange);
     }
 
     /// Addresses and constants as the kernels take them.
