@@ -7,12 +7,15 @@ use coulter::simulation::Simulation;
 use solver::device::replay::Replay;
 use solver::precision::Precision;
 
+/// Steps of each run.
+const STEPS: u32 = 1000;
+
 /// Runs a set-up, with a sample of the history on the way.
 fn run<R: Precision>(simulation: &mut Simulation<R>, set_up: &SetUp) {
-    let first = (set_up.steps / 2).max(1);
+    let first = STEPS / 2;
     simulation.steps(first).unwrap_or_else(|error| panic!("{}: {error}", set_up.name));
     simulation.advance().unwrap_or_else(|error| panic!("{}: {error}", set_up.name));
-    let left = set_up.steps.saturating_sub(simulation.state.step as u32);
+    let left = STEPS.saturating_sub(simulation.state.step as u32);
     simulation.steps(left).unwrap_or_else(|error| panic!("{}: {error}", set_up.name));
 }
 
