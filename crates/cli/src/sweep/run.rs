@@ -7,7 +7,9 @@ use crate::failure::Failure;
 use crate::signals;
 use coulter::case::cores;
 use coulter::interrupts::Interrupts;
+use coulter::run::Device;
 use std::path::PathBuf;
+use std::str::FromStr;
 use studies::study::Pool;
 use studies::sweep::evaluate::{Shared, Unended, evaluate};
 use studies::sweep::line::CaseLine;
@@ -28,11 +30,14 @@ pub(super) struct Arguments {
     /// Without --id: cases that run at the same time [default: as many as cores and memory allow]
     #[arg(long, value_name = "N", value_parser = crate::common::workers())]
     workers: Option<u16>,
+    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA, which the cases share, gpu:1 for the second
+    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
+    device: Device,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let threads = usize::from(arguments.threads);
-    let shared = shared(&opened(&arguments.study)?, threads, signals::listen())?;
+    let shared = shared(&opened(&arguments.study)?, (threads, arguments.device), signals::listen())?;
     if !arguments.ids.is_empty() {
         return some(&shared, &arguments.ids);
     }
@@ -87,7 +92,11 @@ pub(super) fn pooled(shared: &Shared, lines: &[CaseLine], pool: &Pool, quiet: bo
 }
 
 /// What all cases of a study on this machine share.
-pub(super) fn shared(store: &Store, threads: usize, interrupts: Interrupts) -> Result<Shared, Failure> {
+pub(super) fn shared(
+    store: &Store,
+    (threads, device): (usize, Device),
+    interrupts: Interrupts,
+) -> Result<Shared, Failure> {
     let cases = store.origin().map_err(refused)?.cases;
-    Ok(Shared { store: store.clone(), cases, threads, interrupts })
+    Ok(Shared { store: store.clone(), cases, threads, device, interrupts })
 }

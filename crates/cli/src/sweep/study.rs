@@ -5,6 +5,7 @@ use super::run::{shared, stopped};
 use crate::common::{STUDY_THREADS, WORKERS, require_range};
 use crate::failure::Failure;
 use coulter::interrupts::Interrupts;
+use coulter::run::Device;
 use std::path::PathBuf;
 use studies::study::{Pool, Study};
 use studies::sweep::collect::{Counts, collect};
@@ -49,7 +50,7 @@ pub fn sweep_study(
     require_range("threads", request.threads, STUDY_THREADS)?;
     let expanded = expanded(&request.study, request.quick, request.output.as_deref())?;
     let pool = pool_of(&expanded.study, request.workers, request.threads);
-    let shared = shared(&expanded.store, pool.threads, interrupts.clone())?;
+    let shared = shared(&expanded.store, (pool.threads, Device::Processor), interrupts.clone())?;
     if let Some(signal) = pool::run(&shared, &expanded.lines, &pool, watcher).stopped {
         return Err(stopped(signal));
     }

@@ -19,7 +19,11 @@ const BLOCK: u32 = 128;
 pub struct Cuda {
     name: String,
     context: sys::CUcontext,
+    /// What is asked for is done in order; runs beside each other have a stream each.
+    stream: sys::CUstream,
     kernels: FxHashMap<(bool, Kernel), sys::CUfunction>,
+    /// What is reserved.
+    reserved: Vec<Address>,
     crossed: u64,
 }
 
@@ -47,8 +51,12 @@ impl Cuda {
         let name = result::device::get_name(device).map_err(failed("the device has no name"))?;
         // SAFETY: the device is one.
         let context = unsafe { result::primary_ctx::retain(device) }.map_err(failed(&name))?;
-        let mut cuda = Self { name, context, kernels: FxHashMap::default(), crossed: 0 };
-        cuda.enter()?;
+        // SAFETY: the context was retained.
+        unsafe { result::ctx::set_current(context) }.map_err(failed(&name))?;
+        let stream =
+            result::stream::create(result::stream::StreamKind::NonBlocking).map_err(failed(&name))?;
+        let mut cuda =
+            Self { name, context, stream, kernels: FxHashMap::default(), reserved: Vec::new(), crossed: 0 };
         for (is_double, text) in [false, true].into_iter().zip(PTX) {
             cuda.load(is_double, text)?;
         }
@@ -84,11 +92,13 @@ impl Driver for Cuda {
         // SAFETY: what was reserved is set to zero at once.
         let address = unsafe { result::malloc_sync(bytes.max(1)) }.map_err(failed(&what))?;
         // SAFETY: as above.
-        unsafe { result::memset_d8_sync(address, 0, bytes.max(1)) }.map_err(failed(&what))?;
+        unsafe { result::memset_d8_async(address, 0, bytes.max(1), self.stream) }.map_err(failed(&what))?;
+        self.reserved.push(Address(address));
         Ok(Address(address))
     }
 
     fn free(&mut self, address: Address) {
+        self.reserved.retain(|reserved| *reserved != address);
         // What cannot be given back is given back when the program ends.
         // SAFETY: the solver gives back what it reserved, once.
         let _ = self.enter().map(|()| unsafe { result::free_sync(address.0) });
@@ -97,21 +107,28 @@ impl Driver for Cuda {
     fn clear(&mut self, at: Address, bytes: usize) -> Result<(), DeviceError> {
         self.enter()?;
         // SAFETY: as many bytes were reserved there.
-        unsafe { result::memset_d8_sync(at.0, 0, bytes) }.map_err(failed("clearing memory of the device"))
+        unsafe { result::memset_d8_async(at.0, 0, bytes, self.stream) }
+            .map_err(failed("clearing memory of the device"))
     }
 
     fn write(&mut self, to: Address, bytes: &[u8]) -> Result<(), DeviceError> {
         self.enter()?;
         self.crossed += bytes.len() as u64;
-        // SAFETY: as many bytes were reserved there.
-        unsafe { result::memcpy_htod_sync(to.0, bytes) }.map_err(failed("copying to the device"))
+        // SAFETY: as many bytes were reserved there; they are taken before this returns, as their memory may be
+        // paged out.
+        unsafe { result::memcpy_htod_async(to.0, bytes, self.stream) }
+            .map_err(failed("copying to the device"))
     }
 
     fn read(&mut self, from: Address, bytes: &mut [u8]) -> Result<(), DeviceError> {
         self.enter()?;
         self.crossed += bytes.len() as u64;
-        // SAFETY: as many bytes were reserved there.
-        unsafe { result::memcpy_dtoh_sync(bytes, from.0) }.map_err(failed("copying from the device"))
+        // SAFETY: as many bytes were reserved there, and they have come before this returns.
+        unsafe {
+            result::memcpy_dtoh_async(bytes, from.0, self.stream)
+                .and_then(|()| result::stream::synchronize(self.stream))
+        }
+        .map_err(failed("copying from the device"))
     }
 
     fn launch(&mut self, launch: Launch) -> Result<(), DeviceError> {
@@ -122,14 +139,7 @@ impl Driver for Cuda {
         let mut arguments = launch.arguments.map(|argument| argument.cast_mut().cast::<c_void>());
         // SAFETY: the arguments are those that the kernel takes.
         unsafe {
-            result::launch_kernel(
-                function,
-                (blocks, 1, 1),
-                (BLOCK, 1, 1),
-                0,
-                std::ptr::null_mut(),
-                &mut arguments,
-            )
+            result::launch_kernel(function, (blocks, 1, 1), (BLOCK, 1, 1), 0, self.stream, &mut arguments)
         }
         .map_err(failed(launch.kernel.name()))
     }
@@ -145,5 +155,13 @@ impl Driver for Cuda {
     fn free_memory(&self) -> Option<f64> {
         self.enter().ok()?;
         result::mem_get_info().ok().map(|(free, _)| free as f64)
+    }
+}
+
+impl Drop for Cuda {
+    fn drop(&mut self) {
+        self.reserved.clone().into_iter().for_each(|address| self.free(address));
+        // SAFETY: nothing is asked of the stream any more.
+        let _ = self.enter().map(|()| unsafe { result::stream::destroy(self.stream) });
     }
 }

@@ -19,7 +19,7 @@ use coulter::interrupts::Interrupts;
 use coulter::output::folder::RunRecord;
 use coulter::output::tables::read_history;
 use coulter::output::{BodySummary, OutputError, Summary};
-use coulter::run::{self, End, Request, RunError, RunOptions, Start};
+use coulter::run::{self, Device, End, Request, RunError, RunOptions, Start};
 use coulter::trust::{Check, Verdict};
 use std::path::Path;
 
@@ -52,6 +52,8 @@ pub struct Shared {
     pub cases: Vec<BaseCase>,
     /// Threads of each run of the solver.
     pub threads: usize,
+    /// What strains the soil.
+    pub device: Device,
     /// Requests from outside.
     pub interrupts: Interrupts,
 }
@@ -166,7 +168,10 @@ fn solved(shared: &Shared, line: &CaseLine, base: &BaseCase, mut case: Case) -> 
     let asked = line.meshes.map(Asked::meshes_alone);
     let plan = asked.map(|asked| variations(&case, &typed, &base.path, &asked).map_err(wrong)).transpose()?;
     let folder = shared.store.run_folder(&line.id)?;
-    let options = RunOptions::quiet(&folder, Start::AutoResume, &typed, &base.path, &shared.interrupts);
+    let options = RunOptions {
+        device: shared.device,
+        ..RunOptions::quiet(&folder, Start::AutoResume, &typed, &base.path, &shared.interrupts)
+    };
     let ended = |ending: Ending, reason: String, summary: &Summary| {
         let record = RunRecord::read(&folder)?;
         Ok(Outcome { id: line.id.clone(), ending, reason, rows: runs(&case, summary, (&folder, &record)) })
