@@ -34,7 +34,6 @@ const OF_CELL: usize = 6 + HISTORY_COUNT;
 #[derive(Debug)]
 pub struct OnDevice {
     driver: Box<dyn Driver>,
-    /// Addresses, in the order in which they were reserved; given back in the end.
     held: Held,
     /// Nodes and cells that the processor touches in a step.
     nodes: Listed,
@@ -49,7 +48,7 @@ pub struct OnDevice {
     failed: Option<DeviceError>,
 }
 
-/// Addresses of the arrays.
+/// Addresses of the arrays, which the driver gives back when it is dropped.
 #[derive(Clone, Copy, Debug)]
 struct Held {
     row_flags: Address,
@@ -159,8 +158,8 @@ impl Held {
         let widths = each([x, x, grid.cells()[1] + 2, planes], &mut reals)?;
         let mut array = |()| reals(grid.entries);
         let mut history = [None; HISTORY_COUNT];
-        for own in history.iter_mut().zip(&state.soil.history).filter(|(_, field)| !field.is_empty()) {
-            *own.0 = Some(array(())?);
+        for (own, _) in history.iter_mut().zip(&state.soil.history).filter(|(_, field)| !field.is_empty()) {
+            *own = Some(array(())?);
         }
         let [fraction, soil_mass, mass] = each([(); 3], &mut array)?;
         let stress = each([(); 6], &mut array)?;
