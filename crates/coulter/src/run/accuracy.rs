@@ -52,7 +52,7 @@ pub struct Accuracy {
 /// As [`super::run`]; [`RunError::Physics`] where the run on the cells that were chosen breaks down.
 pub fn run_accuracy(case: &Case, accuracy: &Accuracy, options: &RunOptions) -> Result<End, RunError> {
     require_valid(case)?;
-    let _lock = lock(options)?;
+    let _lock = lock(case, options)?;
     match options.start {
         Start::Anew => require_nothing(options.folder)?,
         Start::Replace => clear_all(options.folder)?,

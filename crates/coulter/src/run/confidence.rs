@@ -68,7 +68,7 @@ pub fn run_confidence(case: &Case, request: Request, options: &RunOptions) -> Re
     for variation in &request.plan.variations {
         require_valid(&variation.case)?;
     }
-    let _lock = lock(options)?;
+    let _lock = lock(case, options)?;
     let own = match own_run(case, options)? {
         End::Finished(summary) => summary,
         stopped @ End::Stopped(..) => return Ok(stopped),
@@ -251,7 +251,7 @@ pub(super) fn run_variation(
     let is_other = matches!(ended_before(&variation.case, &folder), Err(RunError::OtherCase(_)));
     let start = if is_other { Start::Replace } else { options.start };
     let own = RunOptions { folder: &folder, typed: &variation.typed, warnings: &[], start, ..*options };
-    let _lock = lock(&own)?;
+    let _lock = lock(&variation.case, &own)?;
     let part = Part { label, is_beside: true };
     match run_locked(&variation.case, &own, &part) {
         Ok(End::Finished(_)) | Err(RunError::Physics { .. }) => Ok(None),

@@ -48,7 +48,7 @@ pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
 pub fn run_followed(case: &Case, options: &RunOptions, follower: &mut dyn Follower) -> Result<End, RunError> {
     require_valid(case)?;
     let mut processes = Processes::of(options);
-    let _lock = processes.first_alone(|| Ok(lock(options)?))?;
+    let _lock = processes.first_alone(|| lock(case, options))?;
     if options.start == Start::AutoResume
         && let Some(summary) = ended_before(case, options.folder)?
     {
@@ -76,7 +76,7 @@ enum Leader<'a> {
 /// As [`run()`].
 pub fn run_steered(case: &Case, options: &RunOptions, steerer: &mut dyn Steerer) -> Result<End, RunError> {
     require_valid(case)?;
-    let _lock = lock(options)?;
+    let _lock = lock(case, options)?;
     if options.start == Start::Replace {
         clear_beside(options.folder)?;
     }

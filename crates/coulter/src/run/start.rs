@@ -8,12 +8,13 @@ use crate::simulation::Simulation;
 use case::Case;
 use case::case_text;
 use case::model::model;
+use case::resolved;
 use report::{Results, Summary, write_case_file};
 use results::OutputError;
 use results::checkpoint::{self, Checkpoint};
 use results::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
 use results::vtk::FieldSeries;
-use solver::device::{self, Driver};
+use solver::device::{self, DeviceError, Driver};
 use solver::grid::Grid;
 use solver::model::Model;
 use solver::precision::Precision;
@@ -23,8 +24,23 @@ use std::time::{Duration, Instant};
 /// How long an automatic restart waits for an earlier run to end.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Locks the folder for this run.
-pub(super) fn lock(options: &RunOptions) -> Result<Lock, OutputError> {
+/// Locks the folder for this run, if the device that it asks for is there and can run the case.
+pub(super) fn lock(case: &Case, options: &RunOptions) -> Result<Lock, RunError> {
+    match case.numerics.precision {
+        resolved::Precision::Double => require_device::<f64>(case, options)?,
+        resolved::Precision::Single => require_device::<f32>(case, options)?,
+    }
+    Ok(lock_folder(options)?)
+}
+
+fn require_device<R: Precision>(case: &Case, options: &RunOptions) -> Result<(), DeviceError> {
+    match options.device.open()? {
+        Some(driver) => device::require::<R>(&model(case, R::LANES), &*driver),
+        None => Ok(()),
+    }
+}
+
+fn lock_folder(options: &RunOptions) -> Result<Lock, OutputError> {
     if let Contents::Foreign = inspect(options.folder)? {
         return Err(OutputError::Foreign { path: options.folder.to_path_buf() });
     }
@@ -166,9 +182,6 @@ fn create<R: Precision>(
     (mut processes, why): (Processes, Option<String>),
 ) -> Result<Opened<R>, RunError> {
     let driver = options.device.open()?;
-    if let Some(driver) = &driver {
-        device::require::<R>(&case::model::model(case, R::LANES), &**driver)?;
-    }
     let may_replace = options.start == Start::Replace || why.is_some();
     let mut results = processes.first_alone(|| {
         let results = Results::create(options.folder, case, may_replace)?;

@@ -47,7 +47,7 @@ impl Cuda {
             return Err(DeviceError("no driver of NVIDIA was found (libcuda)".to_owned()));
         }
         result::init().map_err(failed("the driver does not start"))?;
-        let device = result::device::get(number as i32).map_err(failed("there is no such device"))?;
+        let device = result::device::get(i32::try_from(number).unwrap_or(i32::MAX)).map_err(failed("there is no such device"))?;
         let name = result::device::get_name(device).map_err(failed("the device has no name"))?;
         // SAFETY: the device is one.
         let context = unsafe { result::primary_ctx::retain(device) }.map_err(failed(&name))?;
