@@ -26,7 +26,8 @@ pub(super) struct Arguments {
     /// Steps to measure
     #[arg(long, value_name = "N", default_value_t = 1500, value_parser = clap::value_parser!(u32).range(1..))]
     steps: u32,
-    /// Measure the same steps on this device (gpu, gpu:1, stand-in) and on the processor, and compare all bits
+    /// Measure the same steps on this device (gpu, gpu:1, stand-in) and on the processor, and compare all
+    /// bits
     #[arg(long, value_name = "DEVICE", conflicts_with = "ranks", value_parser = Device::from_str)]
     device: Option<Device>,
     /// Measure in these numbers of MPI processes, each with one thread unless --threads says otherwise, and

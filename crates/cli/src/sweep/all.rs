@@ -22,7 +22,8 @@ pub(super) struct Arguments {
     /// Threads of each run of the solver [default: those of the study, usually 1]
     #[arg(long, value_name = "N", value_parser = crate::common::study_threads())]
     threads: Option<u16>,
-    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA, which the cases share, gpu:1 for the second
+    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA, which the cases share, gpu:1 for the
+    /// second
     #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
     device: Device,
     /// Print one JSON document
@@ -36,7 +37,7 @@ pub(super) fn all(arguments: &Arguments) -> Result<(), Failure> {
         say(&summary(&expanded))?;
     }
     let pool = pool_of(&expanded.study, arguments.workers, arguments.threads);
-    let shared = shared(&expanded.store, (pool.threads, arguments.device), signals::listen())?;
+    let shared = shared(&expanded.store, pool.threads, arguments.device, signals::listen())?;
     let end = pooled(&shared, &expanded.lines, &pool, arguments.json);
     if let Some(signal) = end.stopped {
         return Err(stopped(signal));

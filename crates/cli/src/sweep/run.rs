@@ -30,14 +30,15 @@ pub(super) struct Arguments {
     /// Without --id: cases that run at the same time [default: as many as cores and memory allow]
     #[arg(long, value_name = "N", value_parser = crate::common::workers())]
     workers: Option<u16>,
-    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA, which the cases share, gpu:1 for the second
+    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA, which the cases share, gpu:1 for the
+    /// second
     #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
     device: Device,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let threads = usize::from(arguments.threads);
-    let shared = shared(&opened(&arguments.study)?, (threads, arguments.device), signals::listen())?;
+    let shared = shared(&opened(&arguments.study)?, threads, arguments.device, signals::listen())?;
     if !arguments.ids.is_empty() {
         return some(&shared, &arguments.ids);
     }
@@ -94,7 +95,8 @@ pub(super) fn pooled(shared: &Shared, lines: &[CaseLine], pool: &Pool, quiet: bo
 /// What all cases of a study on this machine share.
 pub(super) fn shared(
     store: &Store,
-    (threads, device): (usize, Device),
+    threads: usize,
+    device: Device,
     interrupts: Interrupts,
 ) -> Result<Shared, Failure> {
     let cases = store.origin().map_err(refused)?.cases;

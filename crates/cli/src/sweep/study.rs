@@ -50,7 +50,7 @@ pub fn sweep_study(
     require_range("threads", request.threads, STUDY_THREADS)?;
     let expanded = expanded(&request.study, request.quick, request.output.as_deref())?;
     let pool = pool_of(&expanded.study, request.workers, request.threads);
-    let shared = shared(&expanded.store, (pool.threads, Device::Processor), interrupts.clone())?;
+    let shared = shared(&expanded.store, pool.threads, Device::Processor, interrupts.clone())?;
     if let Some(signal) = pool::run(&shared, &expanded.lines, &pool, watcher).stopped {
         return Err(stopped(signal));
     }

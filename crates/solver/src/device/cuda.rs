@@ -47,7 +47,8 @@ impl Cuda {
             return Err(DeviceError("no driver of NVIDIA was found (libcuda)".to_owned()));
         }
         result::init().map_err(failed("the driver does not start"))?;
-        let device = result::device::get(i32::try_from(number).unwrap_or(i32::MAX)).map_err(failed("there is no such device"))?;
+        let device = result::device::get(i32::try_from(number).unwrap_or(i32::MAX))
+            .map_err(failed("there is no such device"))?;
         let name = result::device::get_name(device).map_err(failed("the device has no name"))?;
         // SAFETY: the device is one.
         let context = unsafe { result::primary_ctx::retain(device) }.map_err(failed(&name))?;
@@ -114,8 +115,8 @@ impl Driver for Cuda {
     fn write(&mut self, to: Address, bytes: &[u8]) -> Result<(), DeviceError> {
         self.enter()?;
         self.crossed += bytes.len() as u64;
-        // SAFETY: as many bytes were reserved there; they are taken before this returns, as their memory may be
-        // paged out.
+        // SAFETY: as many bytes were reserved there; they are taken before this returns, as their memory may
+        // be paged out.
         unsafe { result::memcpy_htod_async(to.0, bytes, self.stream) }
             .map_err(failed("copying to the device"))
     }
