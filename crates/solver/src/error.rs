@@ -55,7 +55,7 @@ pub enum Breakdown {
     },
     /// The device that strains the soil does not do so any more.
     #[error(
-        "the device failed at t = {time:.6} s (step {step}): {why}; the run can be resumed on the processor"
+        "the device failed at t = {time:.6} s (step {step}): {why}; --resume continues from the last checkpoint, on the processor without --device"
     )]
     Device {
         /// What the device says.

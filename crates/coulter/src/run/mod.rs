@@ -20,6 +20,7 @@ use results::folder::{Outcome, StageRecord, clear_beside};
 use results::progress::{self, Progress};
 use results::trust::Verdict;
 use results::vtk::FieldSeries;
+use solver::error::Breakdown;
 use solver::halo::Halo;
 use solver::precision::Precision;
 use std::path::Path;
@@ -194,7 +195,8 @@ fn conclude<R: Precision>(
 ) -> Result<Summary, RunError> {
     let outcome = match stop {
         Stop::Finished => Outcome::Finished,
-        Stop::Asked(_) => Outcome::Interrupted,
+        // A lost device says nothing of the physics: a scheduler may start the run again.
+        Stop::Asked(_) | Stop::BrokenDown(Breakdown::Device { .. }) => Outcome::Interrupted,
         Stop::BrokenDown(cause) => Outcome::BrokeDown(cause.to_string()),
     };
     let Simulation { case, model, state, history, .. } = simulation;

@@ -34,7 +34,7 @@ const OF_CELL: usize = 6 + HISTORY_COUNT;
 #[derive(Debug)]
 pub struct OnDevice {
     driver: Box<dyn Driver>,
-    held: Held,
+    held: Addresses,
     /// Nodes and cells that the processor touches in a step.
     nodes: Listed,
     cells: Listed,
@@ -50,7 +50,7 @@ pub struct OnDevice {
 
 /// Addresses of the arrays, which the driver gives back when it is dropped.
 #[derive(Clone, Copy, Debug)]
-struct Held {
+struct Addresses {
     row_flags: Address,
     kind: Address,
     held: Address,
@@ -92,7 +92,7 @@ impl OnDevice {
         workspace: &Workspace,
         mut driver: Box<dyn Driver>,
     ) -> Done<Self> {
-        let held = Held::new(&model.grid, state, &mut *driver)?;
+        let held = Addresses::new(&model.grid, state, &mut *driver)?;
         let grid = &model.grid;
         let widths = [1, 2].map(|axis| {
             let mut widths = vec![0.0; grid.cells()[axis] + 2];
@@ -150,7 +150,7 @@ impl OnDevice {
     }
 }
 
-impl Held {
+impl Addresses {
     fn new(grid: &Grid, state: &State, driver: &mut dyn Driver) -> Done<Self> {
         let (rows, planes) = (grid.rows() * (grid.cells()[2] + 3), grid.cells()[2] + 2);
         let mut reals = |count: usize| driver.allocate(count * size_of::<Real>());
@@ -356,16 +356,23 @@ impl OnDevice {
                     self.launch(Kernel::$kernel, cells, arrays, &Material::new(kind, material, $law))
                 };
             }
-            match &material.yield_law {
-                None => strain!(StrainElastic, ()),
-                Some(Law::MohrCoulomb(law)) => strain!(StrainMohrCoulomb, *law),
-                Some(Law::MenetreyWillam(law)) => strain!(StrainMenetreyWillam, *law),
-                Some(Law::VonMises(law)) => strain!(StrainVonMises, *law),
-                Some(Law::Sand(law)) => strain!(StrainSand, *law),
-                Some(Law::Clay(law)) => strain!(StrainClay, *law),
-                // For a law that is given its kernel later.
-                #[allow(unreachable_patterns)]
-                Some(_) => Err(DeviceError("devices do not have the soil's law".to_owned())),
+            let Some(law) = &material.yield_law else {
+                strain!(StrainElastic, ())?;
+                continue;
+            };
+            if let Law::MohrCoulomb(law) = law {
+                strain!(StrainMohrCoulomb, *law)
+            } else if let Law::MenetreyWillam(law) = law {
+                strain!(StrainMenetreyWillam, *law)
+            } else if let Law::VonMises(law) = law {
+                strain!(StrainVonMises, *law)
+            } else if let Law::Sand(law) = law {
+                strain!(StrainSand, *law)
+            } else if let Law::Clay(law) = law {
+                strain!(StrainClay, *law)
+            } else {
+                // A law that has no kernel yet.
+                Err(DeviceError("devices do not have the soil's law".to_owned()))
             }?;
         }
         self.launch(Kernel::MoveNodes, cells, arrays, &0_u64)
@@ -493,7 +500,7 @@ impl OnDevice {
         }
         self.is_home = true;
         self.unless_failed(|device| {
-            let Held { stress, history, velocity, displacement, .. } = device.held;
+            let Addresses { stress, history, velocity, displacement, .. } = device.held;
             let own = history.into_iter().zip(&mut state.soil.history);
             let history = own.filter_map(|(from, to)| Some((from?, to)));
             let nodes = velocity[device.ahead].into_iter().zip(&mut state.nodes.velocity);
