@@ -11,7 +11,8 @@ use std::ffi::{CString, c_void};
 /// The kernels for a device, in the language that its driver compiles.
 const PTX: [&str; 2] = [::kernels::PTX_SINGLE, ::kernels::PTX_DOUBLE];
 
-/// Threads in a block: a multiprocessor has registers for two blocks in double precision, at 250 a thread.
+/// Threads in a block: a multiprocessor has registers for two blocks in double precision, at 250 a
+/// thread.
 const BLOCK: u32 = 128;
 
 /// A device.
