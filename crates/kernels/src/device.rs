@@ -8,6 +8,12 @@
 
 use super::Real;
 use super::cells::{Block, CellRow, MaterialConstants, RowConstants, block_size, runs};
+use super::device_remap::{
+    Averaging, Closed, Elasticity, Pass, carry, carry_mass, carry_momentum, close, collect_density,
+    difference, displaced_volumes, dual_flux, dual_reach, mass_flux, new_fractions, nodal_mass, reach,
+    row_energies, shift, spread_density, stop_massless, store_density, take_back, undo_displacement,
+    volume_flux, volume_fraction,
+};
 use super::lanes::{lane_max, lane_sum};
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
 use super::physics::clay::Clay;
@@ -17,6 +23,7 @@ use super::physics::mohr_coulomb::MohrCoulomb;
 use super::physics::sand::Sand;
 use super::physics::viscosity::BulkViscosity;
 use super::physics::von_mises::VonMises;
+use super::post_remap::{close_gaps, put_back};
 use super::return_mapping::{clay, menetrey_willam, mohr_coulomb, sand, von_mises};
 use super::stress::{
     corner_sums, cut_off_stress, force_coefficients, linear_trial_stress, stiffening_trial_stress,
@@ -45,6 +52,14 @@ pub struct Arrays {
     pub stride: [usize; 2],
     /// Planes of the memory.
     pub planes: usize,
+    /// Number of cells along x, y, z.
+    pub cells: [usize; 3],
+    /// Positions of their faces [m].
+    pub faces: [*const f64; 3],
+    /// Columns of the domain.
+    pub inside: [usize; 2],
+    /// Rows that may hold soil during a remap.
+    pub row_active: *const bool,
     /// Nodes of a row that move.
     pub nodes_in_row: usize,
     /// Columns that are strained, in three parts: of these the outer two lie beyond the domain.
@@ -101,32 +116,48 @@ pub struct Arrays {
 pub struct Material<L> {
     kind: u8,
     stiffens: bool,
+    is_after_remap: bool,
     elastic: Elastic,
     stiffening: Stiffening,
     critical_density: Real,
+    densest: Real,
+    loosest: Real,
     viscosity: BulkViscosity,
     hourglass: Real,
     law: L,
 }
 
 impl<L> Material<L> {
-    /// The material of this kind (see [`Arrays::kind`]).
-    pub fn new(kind: u8, constants: &MaterialConstants, law: L) -> Self {
-        let MaterialConstants { elastic, stiffening, critical_density, viscosity, hourglass, .. } =
+    /// The material of this kind (see [`Arrays::kind`]), to be strained, or, after a remap, to be made
+    /// admissible.
+    pub fn new(kind: u8, constants: &MaterialConstants, law: L, is_after_remap: bool) -> Self {
+        let MaterialConstants { elastic, critical_density, densest, loosest, viscosity, hourglass, .. } =
             *constants;
-        let (stiffens, none) = (stiffening.is_some(), Stiffening { least: 1.0, most: 1.0 });
-        let stiffening = stiffening.unwrap_or(none);
-        Self { kind, stiffens, elastic, stiffening, critical_density, viscosity, hourglass, law }
+        let stiffens = constants.stiffening.is_some();
+        let stiffening = constants.stiffening.unwrap_or(Stiffening { least: 1.0, most: 1.0 });
+        Self {
+            kind,
+            stiffens,
+            is_after_remap,
+            elastic,
+            stiffening,
+            critical_density,
+            densest,
+            loosest,
+            viscosity,
+            hourglass,
+            law,
+        }
     }
 
     fn constants(&self) -> MaterialConstants {
         MaterialConstants {
             elastic: self.elastic,
-            stiffening: None,
+            stiffening: if self.stiffens { Some(self.stiffening) } else { None },
             yield_law: None,
             critical_density: self.critical_density,
-            densest: 0.0,
-            loosest: 0.0,
+            densest: self.densest,
+            loosest: self.loosest,
             viscosity: self.viscosity,
             hourglass: self.hourglass,
         }
@@ -144,7 +175,7 @@ pub const SAND: u32 = PLAIN | 1 << STRESS_RATIO | 1 << PRECONSOLIDATION | 1 << N
 pub const CLAY: u32 = PLAIN | 1 << INTACT_STRENGTH;
 
 /// Strains a cell of a law that needs this history: updates its stress, and finds the coefficients of the
-/// nodal forces and its dissipation.
+/// nodal forces and its dissipation. After a remap it makes its stress admissible instead.
 ///
 /// # Safety
 /// The addresses must be those of arrays of the grid, and no other thread may have the same cell.
@@ -158,7 +189,7 @@ pub unsafe fn strain<L, const HISTORY: u32>(
 ) {
     // SAFETY: every address below is that of cell `c`, of its column, row or plane, or of one of its nodes.
     unsafe {
-        if c >= a.entries || *a.kind.add(c) != material.kind {
+        if c >= a.entries || !is_concerned(a, material, c) {
             return;
         }
         let [row, plane] = a.stride;
@@ -169,7 +200,7 @@ pub unsafe fn strain<L, const HISTORY: u32>(
             has_cubes: a.has_cubes,
             width_x: from_raw_parts(a.width_x[0].add(column), 1),
             per_width_x: from_raw_parts(a.width_x[1].add(column), 1),
-            dt: a.constants.dt,
+            dt: if material.is_after_remap { 0.0 } else { a.constants.dt },
         };
         let mut cells = CellRow {
             fraction: from_raw_parts(a.fraction.add(c), 1),
@@ -182,17 +213,25 @@ pub unsafe fn strain<L, const HISTORY: u32>(
             width_y: *a.width_yz[0].add(q),
             width_z: *a.width_yz[1].add(p),
         };
-        let nodes = [0, row, plane, row + plane]
-            .map(|offset| a.velocity[1].map(|v| from_raw_parts(v.add(c + offset).cast_const(), 2)));
         (block.start, block.n) = (0, 1);
-        corner_sums(&nodes, block);
-        if material.stiffens {
-            stiffening_trial_stress(&constants, &material.stiffening, &cells, block);
+        if material.is_after_remap {
+            close_gaps(&constants, &cells, block);
         } else {
-            linear_trial_stress(&constants, &cells, block);
+            let nodes = [0, row, plane, row + plane]
+                .map(|offset| a.velocity[1].map(|v| from_raw_parts(v.add(c + offset).cast_const(), 2)));
+            corner_sums(&nodes, block);
+            if material.stiffens {
+                stiffening_trial_stress(&constants, &material.stiffening, &cells, block);
+            } else {
+                linear_trial_stress(&constants, &cells, block);
+            }
         }
         if let Some(return_mapping) = return_mapping {
             return_mapping(&constants, &material.law, &mut cells, block);
+        }
+        if material.is_after_remap {
+            put_back(&mut cells, block);
+            return;
         }
         if !a.has_cubes {
             strained_widths(&constants, &cells, block);
@@ -202,6 +241,26 @@ pub unsafe fn strain<L, const HISTORY: u32>(
         *a.powers[0].add(c) = block.work[0];
         *a.powers[1].add(c) = block.viscous_power[0];
         *a.powers[2].add(c) = block.damped_power[0];
+    }
+}
+
+/// Whether a cell is strained as this material, or, after a remap, lies in a row that may hold soil.
+///
+/// # Safety
+/// There must be such a cell.
+#[inline(always)]
+unsafe fn is_concerned<L>(a: &Arrays, material: &Material<L>, c: usize) -> bool {
+    let [row, plane] = a.stride;
+    let (column, q, p) = (c % row, c % plane / row, c / plane);
+    let [nx, ny, nz] = a.cells;
+    // SAFETY: as the caller promises.
+    unsafe {
+        if material.is_after_remap {
+            let is_cell = (1..=nx).contains(&column) && (1..=ny).contains(&q) && (1..=nz).contains(&p);
+            is_cell && *a.row_active.add(c / row)
+        } else {
+            *a.kind.add(c) == material.kind
+        }
     }
 }
 
@@ -377,74 +436,35 @@ pub unsafe fn total(a: &Arrays, thread: usize) {
     }
 }
 
-/// Takes the velocities of a node on a list, ahead and before.
+/// Takes the numbers of a node or cell on a list.
 ///
 /// # Safety
-/// The list must be one of nodes of the grid, with room for six numbers each.
+/// The list must be one of nodes or cells of the grid, with room for all numbers.
 #[inline(always)]
-pub unsafe fn take_node(a: &Arrays, list: &List<Real>, thread: usize) {
+pub unsafe fn take(list: &List<Real>, thread: usize) {
     if thread < list.count {
         // SAFETY: as the caller promises.
         unsafe {
             let n = *list.entries.add(thread) as usize;
-            for (place, v) in a.velocity.iter().flatten().enumerate() {
-                *list.values.add(6 * thread + place) = *v.add(n);
+            for (place, array) in list.arrays.iter().take(list.numbers).enumerate() {
+                *list.values.add(place * list.count + thread) = *array.add(n);
             }
         }
     }
 }
 
-/// Gives a node on a list its velocity.
+/// Gives a node or cell on a list its numbers.
 ///
 /// # Safety
-/// The list must be one of nodes of the grid, none of them twice, with three numbers each.
+/// The list must be one of nodes or cells of the grid, none of them twice, with all numbers of each.
 #[inline(always)]
-pub unsafe fn give_node(a: &Arrays, list: &List<Real>, thread: usize) {
+pub unsafe fn give(list: &List<Real>, thread: usize) {
     if thread < list.count {
         // SAFETY: as the caller promises.
         unsafe {
             let n = *list.entries.add(thread) as usize;
-            for (place, v) in a.velocity[0].iter().enumerate() {
-                *v.add(n) = *list.values.add(3 * thread + place);
-            }
-        }
-    }
-}
-
-/// Stress and history variables: the numbers of a cell on a list.
-const STRAINED_ARRAYS: usize = 6 + HISTORY_COUNT;
-
-/// Takes stress and history of a cell on a list.
-///
-/// # Safety
-/// The list must be one of cells of the grid, with room for all of these numbers each.
-#[inline(always)]
-pub unsafe fn take_cell(a: &Arrays, list: &List<Real>, thread: usize) {
-    if thread < list.count {
-        // SAFETY: as the caller promises.
-        unsafe {
-            let c = *list.entries.add(thread) as usize;
-            let arrays = a.stress.iter().chain(&a.history).enumerate();
-            for (place, array) in arrays.filter(|(_, array)| !array.is_null()) {
-                *list.values.add(STRAINED_ARRAYS * thread + place) = *array.add(c);
-            }
-        }
-    }
-}
-
-/// Gives a cell on a list its stress and history.
-///
-/// # Safety
-/// The list must be one of cells of the grid, none of them twice, with all of these numbers each.
-#[inline(always)]
-pub unsafe fn give_cell(a: &Arrays, list: &List<Real>, thread: usize) {
-    if thread < list.count {
-        // SAFETY: as the caller promises.
-        unsafe {
-            let c = *list.entries.add(thread) as usize;
-            let arrays = a.stress.iter().chain(&a.history).enumerate();
-            for (place, array) in arrays.filter(|(_, array)| !array.is_null()) {
-                *array.add(c) = *list.values.add(STRAINED_ARRAYS * thread + place);
+            for (place, array) in list.arrays.iter().take(list.numbers).enumerate() {
+                *array.add(n) = *list.values.add(place * list.count + thread);
             }
         }
     }

@@ -1,6 +1,7 @@
 //! What kernels for a device share in both precisions: their names, how rows are flagged, and their sums.
 
 use crate::exact_sum::{ExactSum, NUMBERS};
+use crate::history::HISTORY_COUNT;
 
 /// Flag of a row of cells that is strained.
 pub const STRAINED: u8 = 1;
@@ -43,16 +44,23 @@ pub struct Totals {
     pub most: [f64; 2],
 }
 
+/// Most arrays of which a list takes or gives numbers: those of the cells, and volumes of soil and cells.
+pub const LISTED: usize = 3 + 6 + HISTORY_COUNT + 2;
+
 /// Nodes or cells, and numbers of each.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct List<R> {
-    /// How many there are.
+    /// How many nodes or cells there are.
     pub count: usize,
     /// Their indices in memory.
     pub entries: *const u32,
-    /// The numbers, one node or cell after the other.
+    /// The numbers, one array after the other.
     pub values: *mut R,
+    /// How many arrays there are.
+    pub numbers: usize,
+    /// The arrays.
+    pub arrays: [*mut R; LISTED],
 }
 
 /// Calls the macro `$use` with `$given` and the table of the kernels: variant and name of each, the type of
@@ -72,10 +80,30 @@ macro_rules! each_kernel {
             SumRows sum_rows(u64): |a, _more, _block, n| sum_row(a, n);
             SumPlanes sum_planes(u64): |a, _more, _block, n| sum_plane(a, n);
             SumAll sum_all(u64): |a, _more, _block, n| total(a, n);
-            TakeNodes take_nodes(List<Real>): |a, more, _block, n| take_node(a, more, n);
-            GiveNodes give_nodes(List<Real>): |a, more, _block, n| give_node(a, more, n);
-            TakeCells take_cells(List<Real>): |a, more, _block, n| take_cell(a, more, n);
-            GiveCells give_cells(List<Real>): |a, more, _block, n| give_cell(a, more, n);
+            Take take_listed(List<Real>): |_a, more, _block, n| take(more, n);
+            Give give_listed(List<Real>): |_a, more, _block, n| give(more, n);
+            DisplacedVolumes remap_displaced_volumes(Pass): |a, more, _block, n| displaced_volumes(a, more, n);
+            VolumeFraction remap_volume_fraction(Pass): |a, more, _block, n| volume_fraction(a, more, n);
+            VolumeFlux remap_volume_flux(Pass): |a, more, _block, n| volume_flux(a, more, n);
+            UndoDisplacement remap_undo_displacement(Pass): |a, more, _block, n| undo_displacement(a, more, n);
+            Reach remap_reach(Pass): |a, more, _block, n| reach(a, more, n);
+            Carry remap_carry(Pass): |a, more, _block, n| carry(a, more, n);
+            MassFlux remap_mass_flux(Pass): |a, more, _block, n| mass_flux(a, more, n);
+            Difference remap_difference(Pass): |a, more, _block, n| difference(a, more, n);
+            DualFlux remap_dual_flux(Pass): |a, more, _block, n| dual_flux(a, more, n);
+            DualReach remap_dual_reach(Pass): |a, more, _block, n| dual_reach(a, more, n);
+            CarryMomentum remap_carry_momentum(Pass): |a, more, _block, n| carry_momentum(a, more, n);
+            CarryMass remap_carry_mass(Pass): |a, more, _block, n| carry_mass(a, more, n);
+            NodalMass remap_nodal_mass(Pass): |a, more, _block, n| nodal_mass(a, more, n);
+            StopMassless remap_stop_massless(Pass): |a, more, _block, n| stop_massless(a, more, n);
+            TakeBack remap_take_back(Pass): |a, more, _block, n| take_back(a, more, n);
+            Shift remap_shift(Pass): |a, more, _block, n| shift(a, more, n);
+            NewFractions remap_new_fractions(Pass): |a, more, _block, n| new_fractions(a, more, n);
+            Close remap_close(Closed): |_a, more, _block, n| close(more, n);
+            CollectDensity collect_density_of(Averaging): |a, more, _block, n| collect_density(a, more, n);
+            SpreadDensity spread_density_of(Averaging): |a, more, _block, n| spread_density(a, more, n);
+            StoreDensity store_density_of(Averaging): |a, more, _block, n| store_density(a, more, n);
+            RowEnergies row_energies_of(Elasticity): |a, more, _block, n| row_energies(a, more, n);
         }
     };
 }

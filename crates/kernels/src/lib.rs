@@ -11,6 +11,7 @@ pub mod double;
 pub mod exact_sum;
 pub mod history;
 pub mod launch;
+pub mod layout;
 pub mod single;
 pub mod sums;
 

@@ -25,7 +25,7 @@ pub mod mohr_coulomb;
 #[path = "sand.rs"]
 pub mod sand;
 #[path = "select.rs"]
-pub(crate) mod select;
+pub mod select;
 #[path = "tensor.rs"]
 pub mod tensor;
 #[path = "viscosity.rs"]

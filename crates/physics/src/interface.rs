@@ -54,7 +54,9 @@ fn sorted([a, b, c]: [f64; 3]) -> [f64; 3] {
 /// Volume of `{x in the unit cube: m·x ≤ a}`, `m ≥ 0` with sum 1 (Scardovelli & Zaleski 2000, eq. 4).
 fn volume(m: [f64; 3], a: f64) -> f64 {
     let a = clamp(a, 0.0, 1.0);
-    if a > 0.5 { 1.0 - volume_below_half(sorted(m), 1.0 - a) } else { volume_below_half(sorted(m), a) }
+    let is_above = a > 0.5;
+    let below = volume_below_half(sorted(m), if is_above { 1.0 - a } else { a });
+    if is_above { 1.0 - below } else { below }
 }
 
 fn volume_below_half([m1, m2, m3]: [f64; 3], a: f64) -> f64 {
@@ -80,12 +82,9 @@ fn volume_below_half([m1, m2, m3]: [f64; 3], a: f64) -> f64 {
 /// The inverse of [`volume`].
 fn constant(m: [f64; 3], fraction: f64) -> f64 {
     let fraction = clamp(fraction, 0.0, 1.0);
-    let m = sorted(m);
-    if fraction > 0.5 {
-        1.0 - constant_below_half(m, 1.0 - fraction)
-    } else {
-        constant_below_half(m, fraction)
-    }
+    let is_above = fraction > 0.5;
+    let below = constant_below_half(sorted(m), if is_above { 1.0 - fraction } else { fraction });
+    if is_above { 1.0 - below } else { below }
 }
 
 fn constant_below_half(m: [f64; 3], v: f64) -> f64 {
@@ -95,20 +94,19 @@ fn constant_below_half(m: [f64; 3], v: f64) -> f64 {
     let edge = corner + 0.5 * (m2 - m1) / m3;
     let product = 6.0 * m1 * m2 * m3;
     if v < corner {
-        cube_root(product * v)
-    } else if v < edge {
-        0.5 * (m1 + (m1 * m1 + 8.0 * m2 * m3 * (v - corner)).sqrt())
-    } else if m12 <= m3 {
-        if v >= 0.5 * m12 / m3 {
-            m3 * v + 0.5 * m12
-        } else {
-            root([m1 * m1 * m1 + m2 * m2 * m2 - product * v, -3.0 * (m1 * m1 + m2 * m2), 3.0 * m12, -1.0])
-        }
-    } else if v < volume_below_half(m, m3) {
-        root([m1 * m1 * m1 + m2 * m2 * m2 - product * v, -3.0 * (m1 * m1 + m2 * m2), 3.0 * m12, -1.0])
+        return cube_root(product * v);
+    }
+    if v < edge {
+        return 0.5 * (m1 + (m1 * m1 + 8.0 * m2 * m3 * (v - corner)).sqrt());
+    }
+    if m12 <= m3 && v >= 0.5 * m12 / m3 {
+        return m3 * v + 0.5 * m12;
+    }
+    let (squares, cubes) = (m1 * m1 + m2 * m2, m1 * m1 * m1 + m2 * m2 * m2);
+    if m12 <= m3 || v < volume_below_half(m, m3) {
+        root([cubes - product * v, -3.0 * squares, 3.0 * m12, -1.0])
     } else {
-        let cubes = m1 * m1 * m1 + m2 * m2 * m2 + m3 * m3 * m3;
-        root([cubes - product * v, -3.0 * (m1 * m1 + m2 * m2 + m3 * m3), 3.0, -2.0])
+        root([cubes + m3 * m3 * m3 - product * v, -3.0 * (squares + m3 * m3), 3.0, -2.0])
     }
 }
 

@@ -5,18 +5,21 @@ use super::Real;
 
 /// The first number if it is larger, else the second.
 #[inline(always)]
-pub(crate) fn max(a: Real, b: Real) -> Real {
+#[must_use]
+pub fn max(a: Real, b: Real) -> Real {
     if a > b { a } else { b }
 }
 
 /// The first number if it is smaller, else the second.
 #[inline(always)]
-pub(crate) fn min(a: Real, b: Real) -> Real {
+#[must_use]
+pub fn min(a: Real, b: Real) -> Real {
     if a < b { a } else { b }
 }
 
 /// The nearest number to `a` between `low` and `high`.
 #[inline(always)]
-pub(crate) fn clamp(a: Real, low: Real, high: Real) -> Real {
+#[must_use]
+pub fn clamp(a: Real, low: Real, high: Real) -> Real {
     min(max(a, low), high)
 }

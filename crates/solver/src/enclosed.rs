@@ -9,11 +9,13 @@
 
 use crate::boundary::Boundary;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::device::{DeviceRemap, Touched};
 use crate::fields::GAP_STRAIN;
 use crate::grid::GHOSTS;
+use crate::kernels::Kernels;
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::state::Soil;
+use crate::state::{Soil, State};
 
 /// Volume fraction from which on soil can bear what lies above it (chosen).
 const BEARS: f64 = 0.9;
@@ -27,24 +29,41 @@ const LOAD: f64 = 0.5;
 /// layers: the first of these then has the same voids as in the block that owns it.
 const REACH: usize = GHOSTS - 1;
 
-/// Takes back what is left of the voids that were lent, before a remap; afterwards [`Soil::apart`] is what
-/// has closed.
-pub(crate) fn take_back<R: Scalar>(soil: &mut Soil<R>, workspace: &SoilWorkspace<R>) {
-    let SoilWorkspace { team, partition, .. } = workspace;
-    let (gap, void) = (&mut soil.history[GAP_STRAIN], &mut soil.apart);
-    team.rows2(partition, gap, void, |_, gap, void| {
-        for (gap, void) in gap.iter_mut().zip(void).filter(|(_, void)| **void > R::default()) {
-            // The soil's own gap closes first.
-            let [own, lent] = [*gap, *void].map(Scalar::to_f64);
-            let left = own.min(lent);
-            (*gap, *void) = (R::cast(own - left), R::cast(lent - left));
-        }
-    });
-}
-
 /// Lends voids between soil and soil to the soil of their cells, after a remap. Bodies occupy `body_fraction`
 /// of the cells; a void beside a body is the body's to close.
-pub(crate) fn lend<R: Scalar>(model: &Model, soil: &mut Soil<R>, workspace: &SoilWorkspace<R>) {
+pub(crate) fn lend<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
+    let cells = enclosed(model, &mut state.soil, workspace);
+    if let Some(device) = workspace.remapping() {
+        device.clear_apart(model);
+        let own = cells.iter().map(|(cell, _)| *cell);
+        device.take_round(model, state, Touched::of(std::iter::empty(), own));
+    }
+    cells.iter().for_each(|(cell, void)| lend_one(model, &mut state.soil, *cell, *void));
+    if let Some(device) = workspace.remapping() {
+        device.give_round(model, state);
+    }
+}
+
+/// Lends a cell its void, over the volume of the cell.
+fn lend_one<R: Scalar>(model: &Model, soil: &mut Soil<R>, cell: usize, void: f64) {
+    let material = &model.materials[soil.main_material(cell)];
+    if !material.opens() {
+        return;
+    }
+    let pressure = soil.pressure(cell);
+    // Soil that no longer bears stress takes the volume that it has without.
+    let expansion =
+        (pressure / material.bulk_modulus(pressure) * soil.fraction[cell].to_f64()).clamp(0.0, void);
+    soil.fraction[cell] = R::cast(soil.fraction[cell].to_f64() + expansion);
+    let void = R::cast(void - expansion);
+    soil.apart[cell] = void;
+    soil.history[GAP_STRAIN][cell] = R::cast(soil.history[GAP_STRAIN][cell].to_f64() + void.to_f64());
+    soil.stress.iter_mut().for_each(|s| s[cell] = R::default());
+}
+
+/// The cells with a void between soil and soil, with their voids over their volumes. What was apart before is
+/// forgotten.
+fn enclosed<R: Scalar>(model: &Model, soil: &mut Soil<R>, workspace: &SoilWorkspace<R>) -> Vec<(usize, f64)> {
     soil.apart.fill(R::default());
     let rows: Vec<usize> =
         (0..workspace.row_has_soil.len()).filter(|row| workspace.row_has_soil[*row]).collect();
@@ -55,21 +74,7 @@ pub(crate) fn lend<R: Scalar>(model: &Model, soil: &mut Soil<R>, workspace: &Soi
     let each = workspace.crew().collect(rows.len(), AT_ONCE, |range| {
         rows[range].iter().flat_map(|row| round.enclosed_in(*row)).collect::<Vec<_>>()
     });
-    for (cell, void) in each.concat() {
-        let material = &model.materials[soil.main_material(cell)];
-        if !material.opens() {
-            continue;
-        }
-        let pressure = soil.pressure(cell);
-        // Soil that no longer bears stress takes the volume that it has without.
-        let expansion =
-            (pressure / material.bulk_modulus(pressure) * soil.fraction[cell].to_f64()).clamp(0.0, void);
-        soil.fraction[cell] = R::cast(soil.fraction[cell].to_f64() + expansion);
-        let void = R::cast(void - expansion);
-        soil.apart[cell] = void;
-        soil.history[GAP_STRAIN][cell] = R::cast(soil.history[GAP_STRAIN][cell].to_f64() + void.to_f64());
-        soil.stress.iter_mut().for_each(|s| s[cell] = R::default());
-    }
+    each.concat()
 }
 
 /// What decides whether soil encloses a cell.

@@ -5,6 +5,7 @@
 //! bit.
 
 use crate::cpu::workspace::SoilWorkspace;
+use crate::device::DeviceRemap;
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::fields::mass_as_main;
 use crate::grid::Grid;
@@ -31,16 +32,20 @@ pub(crate) fn total<R: Kernels>(
     workspace: &mut SoilWorkspace<R>,
     halo: &Halo,
 ) -> f64 {
-    let SoilWorkspace { team, partition, row_values, .. } = workspace;
-    team.distribute(partition.split_by(1, row_values).zip(partition.ranges()), |(values, rows)| {
-        for (value, row) in values.iter_mut().zip(rows.clone()) {
-            let row = model.grid.row_and_plane(row);
-            *value = [
-                R::elastic_energy(model, &state.soil, row),
-                R::kinetic_energy(&model.grid, &state.nodes, row),
-            ];
-        }
-    });
+    let SoilWorkspace { team, partition, row_values, device, .. } = workspace;
+    if let Some(device) = device.as_mut().filter(|device| device.remaps()) {
+        device.energies(model, row_values);
+    } else {
+        team.distribute(partition.split_by(1, row_values).zip(partition.ranges()), |(values, rows)| {
+            for (value, row) in values.iter_mut().zip(rows.clone()) {
+                let row = model.grid.row_and_plane(row);
+                *value = [
+                    R::elastic_energy(model, &state.soil, row),
+                    R::kinetic_energy(&model.grid, &state.nodes, row),
+                ];
+            }
+        });
+    }
     let [elastic, kinetic] = workspace.total_of_rows(&model.grid, halo);
     elastic + kinetic
 }

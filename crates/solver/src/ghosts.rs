@@ -8,6 +8,7 @@
 
 use crate::boundary::Boundary;
 use crate::contact::BodyCell;
+use crate::device::Touched;
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::grid::Grid;
 use crate::halo::Halo;
@@ -18,24 +19,29 @@ use crate::state::{EnergyBalance, Nodes, Soil, State};
 use glam::DVec3;
 use std::ops::Range;
 
-/// Moves the grid after the body that it follows. From here on displacements are relative to the grid.
-pub(crate) fn follow<R: Kernels>(model: &Model, state: &mut State<R>) {
-    let Some(follow) = model.follow else { return };
+/// Moves the grid after the body that it follows; returns how far [m]. Displacements are relative to the grid,
+/// and must then be less by as much.
+pub(crate) fn follow<R: Kernels>(model: &Model, state: &mut State<R>) -> DVec3 {
+    let Some(follow) = model.follow else { return DVec3::ZERO };
     let travelled = state.pose(follow.body).position - model.bodies[follow.body].start.position;
     let along =
         |axis: usize| if follow.axes[axis] { travelled[axis] - state.grid_position[axis] } else { 0.0 };
     let shift = DVec3::from_array(std::array::from_fn(along));
     state.grid_position += shift;
-    let [nx, ny, nz] = model.grid.cells();
-    for (axis, displacement) in state.nodes.displacement.iter_mut().enumerate() {
-        let shift = shift[axis];
-        for (j, k) in (0..=nz).flat_map(|k| (0..=ny).map(move |j| (j, k))) {
-            let start = model.grid.index(0, j, k);
-            for u in &mut displacement[start..=start + nx] {
-                *u = R::cast(u.to_f64() - shift);
-            }
-        }
+    shift
+}
+
+/// The cells and nodes of the ghost layers, and those beside them that these are filled from.
+pub(crate) fn touched(grid: &Grid) -> Touched {
+    let (mut cells, mut nodes) = (Vec::new(), Vec::new());
+    for (face, outside) in open_faces(grid) {
+        let inner = if face.end == 0 { 0..outside.end + 1 } else { outside.start - 1..outside.end };
+        let [mut of_cells, mut of_nodes] = [grid.cells().map(|n| 0..n), grid.cells().map(|n| 0..n + 1)];
+        (of_cells[face.axis], of_nodes[face.axis]) = (inner, outside.start..outside.end + 1);
+        for_each_in(of_cells, |[i, j, k]| cells.push(grid.index(i, j, k)));
+        for_each_in(of_nodes, |[i, j, k]| nodes.push(grid.index(i, j, k)));
     }
+    Touched::of(nodes.into_iter(), cells.into_iter())
 }
 
 /// The ghost layers during a remap.

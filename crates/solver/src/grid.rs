@@ -5,13 +5,12 @@
 //! two ghosts. Node `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells
 //! are constant offsets.
 
+use ::kernels::layout::Layout;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
-/// Rows hold a multiple of this many cells, or twice as many, so that vector loops over cells have no
-/// remainder: as many numbers of double precision as the widest vector holds.
-pub const LANES: usize = 8;
+pub use ::kernels::layout::LANES;
 
 /// Number of ghost layers beyond a cut, whose contents are the neighbour's, and beyond an open face, whose
 /// contents a boundary provides. Enough for a sweep of a remap (the flux through a face looks three cells
@@ -131,6 +130,12 @@ impl Grid {
         self.block(self.domain.clone())
     }
 
+    /// How the block lies in memory.
+    #[must_use]
+    pub fn layout(&self) -> Layout<'_> {
+        Layout { cells: self.cells(), stride: self.stride, faces: self.faces.each_ref().map(Vec::as_slice) }
+    }
+
     /// Number of cells along x, y, z.
     #[must_use]
     pub fn cells(&self) -> [usize; 3] {
@@ -158,21 +163,20 @@ impl Grid {
     /// Cell (or node) `(i, j, k)` at an index in memory; the inverse of [`Grid::index`].
     #[must_use]
     pub fn layers_of(&self, index: usize) -> [usize; 3] {
-        let [_, row, plane] = self.stride;
-        [index % row - 1, index % plane / row - 1, index / plane - 1]
+        self.layout().layers_of(index)
     }
 
     /// Number of rows in a plane of the memory, ghosts among them.
     #[must_use]
     pub fn rows(&self) -> usize {
-        self.stride[2] / self.stride[1]
+        self.layout().rows()
     }
 
     /// Row within its plane, and plane, of a row of the memory; those of cell `(i, j, k)` are j + 1 and k +
     /// 1.
     #[must_use]
     pub fn row_and_plane(&self, row: usize) -> [usize; 2] {
-        [row % self.rows(), row / self.rows()]
+        self.layout().row_and_plane(row)
     }
 
     /// Ends of the domain along `axis` [m].
@@ -329,7 +333,7 @@ impl Grid {
     /// Width of cell layer `n` along `axis` [m].
     #[must_use]
     pub fn width(&self, axis: usize, n: usize) -> f64 {
-        self.faces[axis][n + 1] - self.faces[axis][n]
+        self.layout().width(axis, n)
     }
 
     /// Middle of cell layer `n` along `axis` [m].
@@ -341,7 +345,7 @@ impl Grid {
     /// Volume of cell `(i, j, k)` [m³].
     #[must_use]
     pub fn volume(&self, i: usize, j: usize, k: usize) -> f64 {
-        self.width(0, i) * self.width(1, j) * self.width(2, k)
+        self.layout().volume(i, j, k)
     }
 
     /// Volume of the cell at an index in memory [m³].

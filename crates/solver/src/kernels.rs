@@ -1,17 +1,17 @@
 //! The interface between the time step and the kernels of either precision.
 
 use crate::cpu::kernels::{double, single};
-use crate::cpu::stage_sums::StageSums;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::{DeviceError, Driver, Touched};
+use crate::device::{DeviceRemap, DeviceStage, Touched};
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::{Known, Nodes, Soil, State};
+use glam::DVec3;
 
 /// A number type with its kernels. Rows are numbered in memory order (see [`Grid::row_and_plane`]).
-pub trait Kernels: Scalar {
+pub trait Kernels: Scalar<OnDevice: DeviceStage<Self> + DeviceRemap<Self>> {
     /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of
     /// the step, velocities without contact half a step later. Calls `known` as soon as the nodes of the
     /// block that contact needs are moved. A device only brings back what is `touched` in a step.
@@ -24,31 +24,15 @@ pub trait Kernels: Scalar {
         touched: &dyn Fn() -> Touched,
     );
 
-    /// Reserves the fields on a device.
-    fn on_device(
+    /// Begins a remap of the `active` rows: takes back the voids that were lent to the soil, and makes the
+    /// displacements relative to the grid, which has moved by `shift` [m].
+    fn begin_remap(
         model: &Model,
-        state: &State<Self>,
-        workspace: &SoilWorkspace<Self>,
-        driver: Box<dyn Driver>,
-    ) -> Result<Self::OnDevice, DeviceError>;
-
-    /// Sums of the last Lagrangian stage.
-    fn sums_of_device(device: &Self::OnDevice) -> StageSums;
-
-    /// Bytes that have crossed to a device and back, or why it has failed.
-    fn crossed(device: &Self::OnDevice) -> Result<u64, DeviceError>;
-
-    /// Gives a device the velocities of the contact nodes.
-    fn give_velocities(model: &Model, state: &State<Self>, device: &mut Self::OnDevice);
-
-    /// Whether the state is complete without what a device holds.
-    fn is_home(device: &Self::OnDevice) -> bool;
-
-    /// Another state takes the place of what a device holds.
-    fn forget(device: &mut Self::OnDevice);
-
-    /// Completes the state with what a device holds; `changes` if it is then changed on the processor.
-    fn bring_home(state: &mut State<Self>, device: &mut Self::OnDevice, changes: bool);
+        state: &mut State<Self>,
+        workspace: &mut SoilWorkspace<Self>,
+        active: &[bool],
+        shift: DVec3,
+    );
 
     /// Volumes [m³] of the displaced cells and of the soil in them, from which the sweeps of a remap start.
     fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
@@ -72,6 +56,13 @@ pub trait Kernels: Scalar {
         workspace: &mut SoilWorkspace<Self>,
         active: &[bool],
     );
+
+    /// Sets the displacement to zero, gives the nodes the masses of the cells round them, and leaves the
+    /// scratch arrays zero where there is no soil, as the Lagrangian stage expects them.
+    fn reset_nodes(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>);
+
+    /// Stops nodes that have lost their soil; only after a remap, not between sweeps.
+    fn stop_massless(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>);
 
     /// Post-remap update of one cell into which overlap removal has moved soil.
     fn update_cell(model: &Model, soil: &mut Soil<Self>, workspace: &mut SoilWorkspace<Self>, cell: usize);
@@ -137,40 +128,14 @@ macro_rules! precision {
                 }
             }
 
-            fn on_device(
+            fn begin_remap(
                 model: &Model,
-                state: &State<Self>,
-                workspace: &SoilWorkspace<Self>,
-                driver: Box<dyn Driver>,
-            ) -> Result<Self::OnDevice, DeviceError> {
-                $module::on_device::OnDevice::new(model, state, workspace, driver)
-            }
-
-            fn sums_of_device(device: &Self::OnDevice) -> StageSums {
-                device.sums()
-            }
-
-            fn crossed(device: &Self::OnDevice) -> Result<u64, DeviceError> {
-                device.failure().cloned().map_or(Ok(device.crossed()), Err)
-            }
-
-            fn give_velocities(model: &Model, state: &State<Self>, device: &mut Self::OnDevice) {
-                device.give_velocities(model, state);
-            }
-
-            fn is_home(device: &Self::OnDevice) -> bool {
-                device.is_home()
-            }
-
-            fn forget(device: &mut Self::OnDevice) {
-                device.changed();
-            }
-
-            fn bring_home(state: &mut State<Self>, device: &mut Self::OnDevice, changes: bool) {
-                device.bring_home(state);
-                if changes {
-                    device.changed();
-                }
+                state: &mut State<Self>,
+                workspace: &mut SoilWorkspace<Self>,
+                active: &[bool],
+                shift: DVec3,
+            ) {
+                $module::sweep::begin_remap(model, state, workspace, active, shift);
             }
 
             fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>) {
@@ -195,6 +160,14 @@ macro_rules! precision {
                 active: &[bool],
             ) {
                 $module::post_remap::update_after_remap(model, soil, workspace, active);
+            }
+
+            fn reset_nodes(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>) {
+                $module::sweep::reset_nodes(model, state, workspace);
+            }
+
+            fn stop_massless(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>) {
+                $module::sweep::stop_massless(model, state, workspace);
             }
 
             fn update_cell(

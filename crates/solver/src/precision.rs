@@ -1,5 +1,6 @@
 //! The precision of the fields, as programs that use the solver see it.
 
+use crate::device::DeviceStage;
 use crate::error::Breakdown;
 use crate::halo::Halo;
 use crate::halo::decomposition::Decomposition;
@@ -48,7 +49,7 @@ impl<R: Precision> Workspace<R> {
         let mut device = self.soil.device.take();
         *self = Self::of_block(model, state, self.threads(), Halo::whole());
         if let Some(device) = &mut device {
-            R::forget(device);
+            device.changed();
         }
         self.soil.device = device;
     }

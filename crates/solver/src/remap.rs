@@ -7,6 +7,7 @@
 use crate::contact;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::device::DeviceRemap;
 use crate::enclosed;
 use crate::energy;
 use crate::ghosts::{self, Beyond, Ghosts};
@@ -33,9 +34,10 @@ pub fn remap<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut Wo
     fill(halo, grid, At::Cells, state.soil.arrays_mut());
     let Nodes { displacement, velocity, .. } = &mut state.nodes;
     fill(halo, grid, At::Nodes, displacement.iter_mut().chain(velocity));
-    enclosed::take_back(&mut state.soil, soil);
-    ghosts::follow(model, state);
+    let shift = ghosts::follow(model, state);
+    R::begin_remap(model, state, soil, &active, shift);
     R::displaced_volumes(model, state, soil);
+    take_ghosts(model, state, soil);
     let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], &contact.body_cells, halo);
     let axes = if model.is_driven_along_y() { [1, 0, 2] } else { [0, 1, 2] };
     let order = ORDERS[(state.remaps % 6) as usize].map(|n| axes[n]);
@@ -46,19 +48,24 @@ pub fn remap<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut Wo
     }
     R::update_after_remap(model, &mut state.soil, soil, &active);
     if let Some(ghosts) = ghosts {
+        take_ghosts(model, state, soil);
         ghosts.finish(model, &mut state.soil);
+        give_ghosts(model, state, soil);
     }
     // Whether a row next to the outermost ghost layer holds soil, only its owner knows: debris would stay in
     // that layer.
     fill(halo, grid, At::Cells, state.soil.arrays_mut());
     let [volume, mass] = soil.total_of_rows(grid, halo);
-    reset_nodes(grid, state, soil);
+    R::reset_nodes(model, state, soil);
     fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
     contact::remove_overlap(model, state, soil, contact, halo);
-    stop_massless_nodes(model, state, soil);
     contact::carry(model, state, &contact.body_cells);
+    if let Some(device) = soil.remapping() {
+        device.give_round(model, state);
+    }
+    R::stop_massless(model, state, soil);
     soil.find_soil(grid, &state.soil);
-    enclosed::lend(model, &mut state.soil, soil);
+    enclosed::lend(model, state, soil);
     contact.confined = contact::find_confined(grid, &state.soil, &contact.body_cells);
     if model.follow.is_some() {
         *beyond = Beyond::new(model, state);
@@ -83,14 +90,33 @@ fn fill_swept<R: Kernels>(
     halo: &Halo,
 ) {
     let grid = &model.grid;
-    let [soil, cell, _] = &mut workspace.velocity_before;
     if let Some(ghosts) = ghosts {
+        take_ghosts(model, state, workspace);
+        let [soil, cell, _] = &mut workspace.velocity_before;
         ghosts.renew(model, state, [soil, cell], halo);
+        give_ghosts(model, state, workspace);
     }
+    let [soil, cell, _] = &mut workspace.velocity_before;
     let State { soil: fields, nodes, .. } = state;
     let cells = fields.arrays_mut().chain([soil, cell]);
     fill(halo, grid, At::Cells, cells);
     fill(halo, grid, At::Nodes, nodes.velocity.iter_mut().chain([&mut nodes.mass]));
+}
+
+/// Takes what lies in the ghost layers and beside them from a device.
+fn take_ghosts<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
+    let SoilWorkspace { device, velocity_before, .. } = workspace;
+    if let Some(device) = device.as_mut().filter(|device| device.remaps()) {
+        device.take_ghosts(model, state, velocity_before);
+    }
+}
+
+/// Gives it back.
+fn give_ghosts<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
+    let SoilWorkspace { device, velocity_before, .. } = workspace;
+    if let Some(device) = device.as_mut().filter(|device| device.remaps()) {
+        device.give_ghosts(model, state, velocity_before);
+    }
 }
 
 /// Rows that hold soil or lie beside one that does.
@@ -106,30 +132,4 @@ fn rows_near_soil(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
         }
     }
     active
-}
-
-/// Sets the displacement to zero, gives the nodes the masses of the cells round them, and leaves the scratch
-/// arrays zero where there is no soil, as the Lagrangian stage expects them.
-fn reset_nodes<R: Kernels>(grid: &Grid, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
-    let SoilWorkspace { team, partition, velocity_before, .. } = workspace;
-    for array in state.nodes.displacement.iter_mut().chain(velocity_before) {
-        team.rows(partition, array, |_, out| out.fill(R::default()));
-    }
-    let cells = &state.soil.mass;
-    team.rows(partition, &mut state.nodes.mass, |row, out| R::nodal_masses(grid, row, cells, out));
-}
-
-/// Stops nodes that have lost their soil; only now, not between sweeps.
-fn stop_massless_nodes<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &SoilWorkspace<R>) {
-    let SoilWorkspace { team, partition, .. } = workspace;
-    let (mass_moved, mass) = (R::cast(model.mass_moved()), &state.nodes.mass);
-    for v in &mut state.nodes.velocity {
-        team.rows(partition, v, |row, out| {
-            for (v, m) in out.iter_mut().zip(&mass[row * partition.stride..]) {
-                if *m <= mass_moved {
-                    *v = R::default();
-                }
-            }
-        });
-    }
 }

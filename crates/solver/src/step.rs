@@ -5,7 +5,7 @@ use crate::bodies;
 use crate::check::check;
 use crate::contact;
 use crate::cpu::stage_sums::RowSums;
-use crate::device::Touched;
+use crate::device::{DeviceStage, Touched};
 use crate::error::Breakdown;
 use crate::halo::filling::{At, Layers, begin_filling, end_filling};
 use crate::kernels::Kernels;
@@ -49,7 +49,7 @@ pub(crate) fn stages<R: Kernels>(
     R::lagrangian_stage(model, state, soil, dt, &mut known, &touched);
     let beside_cuts = Layers { at: At::Nodes, depth: 1 };
     begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
-    let mut sums = soil.device.as_ref().map_or_else(|| soil.sums_of_stage(), R::sums_of_device);
+    let mut sums = soil.device.as_ref().map_or_else(|| soil.sums_of_stage(), DeviceStage::sums);
     sums.add_pressing(contact::pressing_work(model, &state.soil, &pressed));
     sums.add_beyond(beyond.taken_up(model, &state.soil));
     sums.begin_total(halo);
@@ -60,7 +60,7 @@ pub(crate) fn stages<R: Kernels>(
     end_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter_mut());
     let work = contact::apply(model, state, soil, contact, moving);
     if let Some(device) = &mut soil.device {
-        R::give_velocities(model, state, device);
+        device.give_velocities(model, state);
     }
     bodies::advance(mechanism, state, moving);
     let sums = sums.total(halo);
@@ -70,7 +70,7 @@ pub(crate) fn stages<R: Kernels>(
     state.step += 1;
     // Eulerian stage, only when the soil has moved far enough to need it.
     if is_remap_due(model, state, &sums) {
-        workspace.bring_home(state, true);
+        workspace.prepare_remap(state);
         remap(model, state, workspace);
         let Workspace { soil, contact, seepage, halo, .. } = workspace;
         contact::search(model, state, soil, contact, halo);

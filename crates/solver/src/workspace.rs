@@ -6,7 +6,7 @@ use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::{self, DeviceError, Driver};
+use crate::device::{self, DeviceError, DeviceStage, Driver};
 use crate::error::Breakdown;
 use crate::ghosts::Beyond;
 use crate::grid::Grid;
@@ -137,33 +137,43 @@ impl<R: Kernels> Workspace<R> {
         if !self.halo.is_alone() {
             return Err(DeviceError("a grid in several blocks is strained on processors alone".to_owned()));
         }
-        self.soil.device = Some(R::on_device(model, state, &self.soil, driver)?);
+        self.soil.device = Some(R::OnDevice::new(model, state, &self.soil, driver)?);
         Ok(())
     }
 
     /// Bytes that have crossed to the device and back; `None` without one.
     #[must_use]
     pub fn crossed_to_device(&self) -> Option<u64> {
-        R::crossed(self.soil.device.as_ref()?).ok()
+        self.soil.device.as_ref()?.crossed().ok()
     }
 
     /// Completes the state with the fields that a device holds; between steps, only contact and bodies are
     /// up to date. `changes` says that the fields are then changed.
     pub fn bring_home(&mut self, state: &mut State<R>, changes: bool) {
         if let Some(device) = &mut self.soil.device {
-            R::bring_home(state, device, changes);
+            device.bring_home(state);
+            if changes {
+                device.changed();
+            }
+        }
+    }
+
+    /// Completes the state before a remap, unless the device takes this, too.
+    pub(crate) fn prepare_remap(&mut self, state: &mut State<R>) {
+        if self.soil.remapping().is_none() {
+            self.bring_home(state, true);
         }
     }
 
     /// Whether the state is complete without what a device holds.
     #[must_use]
     pub fn is_home(&self) -> bool {
-        self.soil.device.as_ref().is_none_or(R::is_home)
+        self.soil.device.as_ref().is_none_or(DeviceStage::is_home)
     }
 
     /// Fails if the device has.
     pub(crate) fn device_works(&self, state: &State<R>) -> Result<(), Breakdown> {
-        let failed = self.soil.device.as_ref().and_then(|device| R::crossed(device).err());
+        let failed = self.soil.device.as_ref().and_then(|device| device.crossed().err());
         let (time, step) = (state.time, state.step);
         failed.map_or(Ok(()), |DeviceError(why)| Err(Breakdown::Device { why, time, step }))
     }

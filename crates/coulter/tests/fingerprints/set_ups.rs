@@ -30,7 +30,7 @@ const OFTEN: &str = "numerics.remap_displacement=0.01";
 const PENALTY: &str = "numerics.contact=\"penalty\"";
 
 /// Every family of the verification suite, both precisions, both contact methods, one to three threads.
-pub const SET_UPS: [SetUp; 32] = [
+pub const SET_UPS: [SetUp; 34] = [
     set_up(
         "sand at rest",
         "validation/A4_soil_at_rest/case.toml",
@@ -100,6 +100,15 @@ pub const SET_UPS: [SetUp; 32] = [
         200,
     ),
     set_up("disc on a boulder", "cases/disc_over_boulder.toml", BOULDER, 2, 200),
+    set_up("softening bank", "validation/B5n_softening_bank/case.toml", SOFTENING, 2, 400),
+    set_up("two layers", "validation/B11_two_layers/case.toml", LAYERS, 2, 300),
+];
+const SOFTENING: &[&str] = &["grid.cell=\"125 mm\"", OFTEN, "body.wall.forward.ramp=\"10 ms\""];
+const LAYERS: &[&str] = &[
+    "grid.cell=\"125 mm\"",
+    OFTEN,
+    "body.footing.heave.speed=\"-0.1 m/s\"",
+    "body.footing.heave.ramp=\"10 ms\"",
 ];
 const BOULDER: &[&str] = &[
     "grid.cell=\"12 mm\"",

@@ -1,7 +1,9 @@
 //! Body volume fraction: the fraction of each cell that bodies occupy.
 
+use super::problem::corners;
 use crate::cpu::threads::Crew;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::device::Touched;
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::grid::Grid;
 use crate::halo::Halo;
@@ -85,6 +87,30 @@ pub(super) fn by_cell(body_cells: &[BodyCell]) -> BTreeMap<usize, (f64, &BodyCel
         *most = if own.fraction > most.fraction { own } else { most };
     }
     occupied
+}
+
+/// The cells that bodies occupy and those near them, with their nodes: all that moving soil out of the bodies,
+/// carrying remnants and searching for contacts look at besides volume fractions and masses.
+pub(super) fn near(grid: &Grid, body_cells: &[BodyCell]) -> Touched {
+    /// Layers of neighbours: overlapping soil moves by one, the search looks at the next cell of a point's.
+    const LAYERS: usize = 2;
+    let mut cells: Vec<[usize; 3]> = body_cells.iter().map(|own| grid.layers_of(own.cell)).collect();
+    for axis in 0..3 {
+        let along = |layers: [usize; 3]| {
+            let n = layers[axis];
+            (n.saturating_sub(LAYERS)..(n + LAYERS + 1).min(grid.cells()[axis])).map(move |n| {
+                let mut near = layers;
+                near[axis] = n;
+                near
+            })
+        };
+        cells = cells.into_iter().flat_map(along).collect();
+        cells.sort_unstable();
+        cells.dedup();
+    }
+    let cells: Vec<usize> = cells.into_iter().map(|[i, j, k]| grid.index(i, j, k)).collect();
+    let nodes = cells.iter().flat_map(|c| corners(grid.stride).map(|offset| c + offset));
+    Touched::of(nodes, cells.iter().copied())
 }
 
 /// Height [m] in the grid up to which bodies can concern the soil.

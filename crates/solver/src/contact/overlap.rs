@@ -9,11 +9,12 @@
 //!
 //! All sums over neighbours are taken in an order for which mirroring in y changes no bit.
 
-use super::body_fraction::{FILLED, filled, find_bodies};
+use super::body_fraction::{FILLED, filled, find_bodies, near};
 use super::problem::{corners, over_corners};
 use super::workspace::ContactWorkspace;
 use crate::cpu::threads::Crew;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::device::DeviceRemap;
 use crate::fields::Carrier;
 use crate::grid::Grid;
 use crate::halo::Halo;
@@ -37,6 +38,9 @@ pub(crate) fn remove_overlap<R: Kernels>(
     halo: &Halo,
 ) {
     find_bodies(model, state, soil, &mut contact.body_cells);
+    if let Some(device) = soil.remapping() {
+        device.take_round(model, state, near(&model.grid, &contact.body_cells));
+    }
     let own = contact.body_cells.iter().map(|c| c.cell);
     let mut cells: Vec<usize> = own.filter(|cell| model.grid.is_in_domain(*cell)).collect();
     cells.sort_unstable();

@@ -84,10 +84,10 @@ pub fn require<R: Scalar>(model: &Model, driver: &dyn Driver) -> Result<(), Devi
 #[must_use]
 pub fn footprint<R: Scalar>(model: &Model) -> f64 {
     let history = HISTORY.iter().filter(|variable| model.kinds().need(variable)).count();
-    // Volume fraction, two masses, stress, two velocities, displacement.
-    let reals = 3 + 6 + history + 6 + 3 + COEFFICIENTS + POWERS + MEASURED;
+    // Volume fraction, two masses, volume strain apart, stress, two velocities, displacement.
+    let reals = 4 + 6 + history + 6 + 3 + COEFFICIENTS + POWERS + MEASURED;
     let per_entry = reals * size_of::<R>() + 2;
     let (rows, planes) = (model.grid.rows() * (model.grid.cells()[2] + 3), model.grid.cells()[2] + 2);
-    let sums = rows * (ROW_SUMS * size_of::<f64>() + 1) + planes * ROW_SUMS * size_of::<PlaneSum>();
+    let sums = rows * (ROW_SUMS * size_of::<f64>() + 2) + planes * ROW_SUMS * size_of::<PlaneSum>();
     (per_entry * model.grid.entries + sums) as f64
 }

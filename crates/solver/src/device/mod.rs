@@ -1,17 +1,19 @@
 //! Devices on which the soil is strained instead of on the processor.
 //!
-//! Between two remaps a device holds the soil's fields, and takes the Lagrangian stage (see
-//! `cpu/kernels/on_device.rs`); contact, bodies and remaps are the processor's. The two exchange in a step
-//! what contact touches, and the sums. A [`Driver`] is what a device can do: [`replay::Replay`] does it on
+//! A device holds the soil's fields, and takes the Lagrangian stage and the remaps (see
+//! `cpu/kernels/on_device.rs`); contact and bodies are the processor's. The two exchange in a step what
+//! contact touches, and the sums. A [`Driver`] is what a device can do: [`replay::Replay`] does it on
 //! the processor, for tests without a device.
 
 mod choice;
 #[cfg(feature = "gpu")]
 pub mod cuda;
 mod driver;
+mod fields;
 pub mod replay;
 mod touched;
 
 pub use choice::{Device, footprint, require};
 pub use driver::{Address, DeviceError, Driver, Launch};
+pub use fields::{DeviceRemap, DeviceStage};
 pub use touched::Touched;

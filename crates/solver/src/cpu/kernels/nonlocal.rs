@@ -6,54 +6,69 @@
 //! the average differs by from its own value.
 
 use super::physics::law::Law;
-use super::physics::sand::Sand;
+use super::rows::nonlocal::{Averaged, Spread};
+use super::sweep::part;
 use super::{Real, Soil, Workspace};
+use crate::device::DeviceRemap;
 use crate::fields::NONLOCAL_DENSITY;
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::halo::filling::{At, fill};
 use crate::model::Model;
 
-/// Weight of the average in the nonlocal value. Above 1 it limits the width of bands from below (Vermeer &
-/// Brinkgreve 1994).
-const OVERWEIGHT: Real = 1.5;
 /// Largest diffusion number of a pass: above ½ it would not be monotonic; ⅓ averages three cells alike.
 const MOST_DIFFUSION: f64 = 1.0 / 3.0;
 
 /// A pass along an axis: what a cell takes over of the differences to its lower and its higher neighbour.
-struct Pass {
-    axis: usize,
-    weights: Vec<[Real; 2]>,
-}
-
-/// The soil that is averaged: its material, and where it is.
-struct Averaged<'a> {
-    grid: &'a Grid,
-    law: &'a Sand,
-    material: usize,
+pub(super) struct Spreading {
+    pub(super) axis: usize,
+    pub(super) weights: Vec<[Real; 2]>,
 }
 
 /// Renews the nonlocal densities of the soil of the first material with a characteristic length.
 pub(crate) fn average(model: &Model, soil: &mut Soil, workspace: &mut Workspace, halo: &Halo) {
     let found = model.materials.iter().enumerate().find_map(|(n, m)| Some((n, m.characteristic_length?)));
-    let Some((material, length)) = found else { return };
-    let Some(Law::Sand(law)) = workspace.materials[material].yield_law else { return };
-    let averaged = Averaged { grid: &model.grid, law: &law, material };
+    let Some((number, length)) = found else { return };
+    let Some(Law::Sand(law)) = workspace.materials[number].yield_law else { return };
+    if let Some(device) = workspace.remapping() {
+        return device.average_density(model, &mut soil.history[NONLOCAL_DENSITY]);
+    }
     let (passes, count) = passes(&model.grid, length);
     let [mut own, mut other] = std::mem::take(&mut workspace.averages);
-    averaged.collect(soil, workspace, &mut own);
-    for pass in (0..count).flat_map(|_| &passes) {
+    let layout = model.grid.layout();
+    let Soil { fraction, mass, history, .. } = soil;
+    let Workspace { team, partition, width_x, material, .. } = &*workspace;
+    let averaged = Averaged {
+        layout,
+        width_x: &width_x[0],
+        law: &law,
+        fraction,
+        mass: workspace.mass_of_laws(mass),
+        material,
+        number: number as u8,
+    };
+    let [fractions, densities] = &mut own;
+    team.rows2(partition, fractions, densities, |row, fractions, densities| {
+        averaged.collect(part(&layout, row), [fractions, densities]);
+    });
+    for Spreading { axis, weights } in (0..count).flat_map(|_| &passes) {
         fill(halo, &model.grid, At::Cells, &mut own);
-        averaged.spread(workspace, pass, &own, &mut other);
+        let spread = Spread { layout, axis: *axis, weights };
+        for (from, to) in own.iter().zip(&mut other) {
+            team.rows(partition, to, |row, to| spread.pass(part(&layout, row), from, to));
+        }
         std::mem::swap(&mut own, &mut other);
     }
-    averaged.store(soil, workspace, &own);
-    fill(halo, &model.grid, At::Cells, [&mut soil.history[NONLOCAL_DENSITY]]);
+    let both = own.each_ref().map(Vec::as_slice);
+    team.rows(partition, &mut history[NONLOCAL_DENSITY], |row, out| {
+        averaged.store(part(&layout, row), both, out);
+    });
+    fill(halo, &model.grid, At::Cells, [&mut history[NONLOCAL_DENSITY]]);
     workspace.averages = [own, other];
 }
 
 /// The passes along the axes, and how often they are repeated.
-fn passes(grid: &Grid, length: f64) -> (Vec<Pass>, usize) {
+pub(super) fn passes(grid: &Grid, length: f64) -> (Vec<Spreading>, usize) {
     let variance = 0.5 * length * length;
     let count = (0.5 * variance / (MOST_DIFFUSION * grid.finest() * grid.finest())).ceil().max(1.0);
     let diffusion = 0.5 * variance / count;
@@ -66,96 +81,14 @@ fn passes(grid: &Grid, length: f64) -> (Vec<Pass>, usize) {
             let high = if n + 1 < width.len() { across(n) / width[n] } else { 0.0 };
             [low, high].map(|weight| weight as Real)
         });
-        Pass { axis, weights: weights.collect() }
+        Spreading { axis, weights: weights.collect() }
     });
     (passes.collect(), count as usize)
 }
 
-impl Averaged<'_> {
-    /// Layers of a row along y and z, counted from 1; `None` for ghosts.
-    fn layers(&self, row: usize) -> Option<[usize; 2]> {
-        let [_, ny, nz] = self.grid.cells();
-        let [q, plane] = self.grid.row_and_plane(row);
-        ((1..=ny).contains(&q) && (1..=nz).contains(&plane)).then_some([q, plane])
-    }
-
-    /// Calls `job(cell, index in the row, volume of the cell)` for each cell of a row that holds soil of the
-    /// material.
-    #[inline(always)]
-    fn cells_of_row(
-        &self,
-        row: usize,
-        fraction: &[Real],
-        workspace: &Workspace,
-        mut job: impl FnMut(usize, usize, Real),
-    ) {
-        let Workspace { partition, material, width_x, .. } = workspace;
-        let Some([q, plane]) = self.layers(row) else { return };
-        let area = (self.grid.width(1, q - 1) * self.grid.width(2, plane - 1)) as Real;
-        for i in 1..=self.grid.cells()[0] {
-            let c = row * partition.stride + i;
-            if fraction[c] > 0.0 && (material.is_empty() || usize::from(material[c]) == self.material) {
-                job(c, i, width_x[0][i] * area);
-            }
-        }
-    }
-
-    /// Volume fraction of the soil of the material, and its relative density times that.
-    fn collect(&self, soil: &Soil, workspace: &Workspace, [fractions, densities]: &mut [Vec<Real>; 2]) {
-        let (fraction, mass) = (&soil.fraction, workspace.mass_of_laws(&soil.mass));
-        workspace.team.rows2(&workspace.partition, fractions, densities, |row, fractions, densities| {
-            fractions.fill(0.0);
-            densities.fill(0.0);
-            self.cells_of_row(row, fraction, workspace, |c, i, volume| {
-                let relative_density = self.law.relative_density(mass[c] / (fraction[c] * volume));
-                (fractions[i], densities[i]) = (fraction[c], fraction[c] * relative_density);
-            });
-        });
-    }
-
-    /// One pass of diffusion.
-    fn spread(&self, workspace: &Workspace, pass: &Pass, from: &[Vec<Real>; 2], to: &mut [Vec<Real>; 2]) {
-        let Workspace { team, partition, .. } = workspace;
-        let (nx, stride) = (self.grid.cells()[0], self.grid.stride[pass.axis]);
-        let [first, second] = to;
-        team.rows2(partition, first, second, |row, first, second| {
-            let Some(layers) = self.layers(row) else { return };
-            let start = row * partition.stride + 1;
-            for (from, to) in from.iter().zip([first, second]) {
-                let [low, own, high] =
-                    [start - stride, start, start + stride].map(|first| &from[first..first + nx]);
-                let to = &mut to[1..=nx];
-                if pass.axis == 0 {
-                    for i in 0..nx {
-                        let [down, up] = pass.weights[i];
-                        to[i] = own[i] + down * (low[i] - own[i]) + up * (high[i] - own[i]);
-                    }
-                } else {
-                    let [down, up] = pass.weights[layers[pass.axis - 1] - 1];
-                    for i in 0..nx {
-                        to[i] = own[i] + down * (low[i] - own[i]) + up * (high[i] - own[i]);
-                    }
-                }
-            }
-        });
-    }
-
-    /// Enters the difference between the average and the own relative density of each cell.
-    fn store(&self, soil: &mut Soil, workspace: &Workspace, [fractions, densities]: &[Vec<Real>; 2]) {
-        let Soil { fraction, mass, history, .. } = soil;
-        let mass = workspace.mass_of_laws(mass);
-        workspace.team.rows(&workspace.partition, &mut history[NONLOCAL_DENSITY], |row, out| {
-            out.fill(0.0);
-            self.cells_of_row(row, fraction, workspace, |c, i, volume| {
-                let own = self.law.relative_density(mass[c] / (fraction[c] * volume));
-                out[i] = OVERWEIGHT * (densities[c] / fractions[c] - own);
-            });
-        });
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::rows::nonlocal::OVERWEIGHT;
     use super::*;
     use crate::halo::Halo;
     use crate::initial::{Filling, at_rest};

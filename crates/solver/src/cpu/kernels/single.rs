@@ -5,35 +5,36 @@ pub(crate) type Real = f32;
 
 pub(crate) use ::kernels::single::LANES;
 
-/// A cell with more soil than this counts as full: no interface is reconstructed.
-const FULL: f64 = 1.0 - 1e-5;
-
 type State = crate::state::State<Real>;
 type Soil = crate::state::Soil<Real>;
 type Nodes = crate::state::Nodes<Real>;
 type Workspace = crate::cpu::workspace::SoilWorkspace<Real>;
 type PortionScratch = crate::cpu::workspace::PortionScratch<Real>;
 type Coefficients = crate::cpu::workspace::Coefficients<Real>;
-use ::kernels::single::{cells, device, nodes, return_mapping, stress};
+use ::kernels::single::{
+    self as rows, cells, device, device_remap, flux, nodes, remap, return_mapping, stress, transport,
+};
 use physics::single as physics;
 
+#[path = "addresses.rs"]
+mod addresses;
 #[path = "constants.rs"]
 pub(crate) mod constants;
 #[path = "energy.rs"]
 pub(crate) mod energy;
-#[path = "flux.rs"]
-mod flux;
 #[path = "lagrange.rs"]
 pub(crate) mod lagrange;
+#[path = "listed.rs"]
+mod listed;
 #[path = "nonlocal.rs"]
 pub(crate) mod nonlocal;
 #[path = "on_device.rs"]
 pub(crate) mod on_device;
 #[path = "post_remap.rs"]
 pub(crate) mod post_remap;
+#[path = "remap_on_device.rs"]
+mod remap_on_device;
 #[path = "strain.rs"]
 mod strain;
 #[path = "sweep.rs"]
 pub(crate) mod sweep;
-#[path = "transport.rs"]
-mod transport;

@@ -3,12 +3,16 @@
 //! The volume fraction is carried with a reconstructed interface, stress and history with the soil volume at
 //! second order, momentum on the dual grid.
 
-use super::flux::FluxInputs;
-use super::transport::{Sweep, carry_mass, carry_momentum, dual_fluxes, dual_reaches};
+use super::flux::{FluxInputs, close_face};
+use super::remap;
+use super::transport::Sweep;
 use super::{Nodes, Real, Soil, State, Workspace};
-use crate::fields::{Carrier, HISTORY, HistoryVariable};
+use crate::device::DeviceRemap;
+use crate::fields::{Carrier, GAP_STRAIN, HISTORY, HistoryVariable};
 use crate::grid::Grid;
 use crate::model::Model;
+use ::kernels::layout::{Layout, Part};
+use glam::DVec3;
 
 /// The arrays of a remap. The old velocities are worth nothing between steps: their memory is used again.
 struct Scratch<'a> {
@@ -26,43 +30,46 @@ impl<'a> Scratch<'a> {
     }
 }
 
+/// Begins a remap of the `active` rows: takes back the voids that were lent to the soil, and makes the
+/// displacements relative to the grid, which has moved by `shift` [m].
+pub(crate) fn begin_remap(
+    model: &Model,
+    state: &mut State,
+    workspace: &mut Workspace,
+    active: &[bool],
+    shift: DVec3,
+) {
+    if let Some(device) = workspace.remapping() {
+        return device.begin_remap(model, active, shift);
+    }
+    let Workspace { team, partition, .. } = workspace;
+    let (gap, void) = (&mut state.soil.history[GAP_STRAIN], &mut state.soil.apart);
+    team.rows2(partition, gap, void, |_, gap, void| remap::take_back(gap, void));
+    for (displacement, shift) in state.nodes.displacement.iter_mut().zip(shift.to_array()) {
+        if shift != 0.0 {
+            team.rows(partition, displacement, |_, out| remap::shift(out, shift));
+        }
+    }
+}
+
 /// Volumes of soil and cells on the displaced grid.
 pub(crate) fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
-    let grid = &model.grid;
-    let [nx, ny, nz] = grid.cells();
+    if let Some(device) = workspace.remapping() {
+        return device.displaced_volumes(model);
+    }
+    let layout = model.grid.layout();
     let Workspace { team, partition, velocity_before, .. } = workspace;
     let Scratch { soil, cell, .. } = Scratch::of(velocity_before);
-    let displacement = &state.nodes.displacement;
+    let displacement = state.nodes.displacement.each_ref().map(Vec::as_slice);
+    let fields = [state.soil.fraction.as_slice(), &state.soil.apart];
     team.rows2(partition, soil, cell, |row, soil, cell| {
-        soil.fill(0.0);
-        cell.fill(0.0);
-        let [q, plane] = grid.row_and_plane(row);
-        if (1..=ny).contains(&q) && plane <= nz {
-            for i in 0..nx {
-                let volume =
-                    grid.volume(i, q - 1, plane - 1) + swollen(grid, displacement, [i, q - 1, plane - 1]);
-                cell[i + 1] = volume as Real;
-                let c = row * grid.stride[1] + i + 1;
-                let apart = grid.volume(i, q - 1, plane - 1) as Real * state.soil.apart[c];
-                soil[i + 1] = state.soil.fraction[c] * (cell[i + 1] + apart);
-            }
-        }
+        remap::displaced_volumes(&layout, part(&layout, row), displacement, fields, [soil, cell]);
     });
 }
 
-/// Volume that a cell has gained by the displacement of its corners [m³], linear in it like the strain.
-fn swollen(grid: &Grid, displacement: &[Vec<Real>; 3], [i, j, k]: [usize; 3]) -> f64 {
-    let c = grid.index(i, j, k);
-    let widths = [grid.width(0, i), grid.width(1, j), grid.width(2, k)];
-    let mut gain = 0.0;
-    for axis in 0..3 {
-        let (a, b) = (grid.stride[(axis + 1) % 3], grid.stride[(axis + 2) % 3]);
-        let u = |c: usize| f64::from(displacement[axis][c]);
-        let face = |c: usize| (u(c) + u(c + a)) + (u(c + b) + u(c + a + b));
-        let area = widths[(axis + 1) % 3] * widths[(axis + 2) % 3];
-        gain += 0.25 * area * (face(c + grid.stride[axis]) - face(c));
-    }
-    gain
+/// A row of the memory.
+pub(super) fn part(layout: &Layout, row: usize) -> Part {
+    Part { start: row * layout.stride[1], length: layout.stride[1] }
 }
 
 /// One sweep: volume, mass, stress and history, momentum. Arrays that have served their purpose make room for
@@ -75,25 +82,30 @@ pub(crate) fn sweep(
     active: &[bool],
     filled: &[usize],
 ) {
+    if let Some(device) = workspace.remapping() {
+        return device.sweep(model, axis, filled);
+    }
     let grid = &model.grid;
+    let layout = grid.layout();
+    let part = |row| part(&layout, row);
     let Workspace { team, partition, velocity_before, .. } = workspace;
     let Scratch { soil, cell, flux } = Scratch::of(velocity_before);
     team.rows(partition, &mut state.soil.fraction, |row, out| {
         let own = row * out.len()..(row + 1) * out.len();
-        for ((f, soil), cell) in out.iter_mut().zip(&soil[own.clone()]).zip(&cell[own]) {
-            *f = if *cell > 0.0 { soil / cell } else { 0.0 };
-        }
+        remap::volume_fractions(&soil[own.clone()], &cell[own], out);
     });
     let Soil { fraction, mass, stress, history, composition, .. } = &mut state.soil;
     let Nodes { velocity, displacement, mass: node_mass } = &mut state.nodes;
     let displacement = &mut displacement[axis];
-    let sweep = Sweep { grid, axis, row_active: active };
+    let sweep = Sweep { layout, axis, row_active: active };
     let inputs = FluxInputs { sweep, displacement, fraction, soil, cell };
-    team.rows(partition, flux, |row, out| inputs.volume_fluxes(row, out));
-    close(filled, grid.stride[axis], flux);
-    team.rows(partition, cell, |row, out| sweep.undo_displacement(row, displacement, out));
+    team.rows(partition, flux, |row, out| inputs.volume_fluxes(part(row), out));
+    for (face, side) in closed_faces(filled, grid.stride[axis]) {
+        close_face(&mut flux[face], side);
+    }
+    team.rows(partition, cell, |row, out| sweep.undo_displacement(part(row), displacement, out));
     let reach = displacement;
-    team.rows(partition, reach, |row, out| sweep.reaches(row, [flux, fraction, soil], out));
+    team.rows(partition, reach, |row, out| sweep.reaches(part(row), [flux, fraction, soil], out));
     let spare = fraction;
     let faces: [&[Real]; 2] = [flux, reach];
     let needed = history.iter_mut().zip(HISTORY).filter(|(field, _)| !field.is_empty());
@@ -101,57 +113,78 @@ pub(crate) fn sweep(
         needed.partition(|(_, variable)| variable.carrier == Carrier::Volume);
     let fields = |list: Vec<(_, HistoryVariable)>| list.into_iter().map(|(field, _)| field);
     for field in stress.iter_mut().chain(fields(by_volume)).chain(composition) {
-        team.rows(partition, spare, |row, out| sweep.carry(row, [soil, field], faces, out));
+        team.rows(partition, spare, |row, out| sweep.carry(part(row), [soil, field], faces, out));
         std::mem::swap(field, spare);
     }
-    team.rows(partition, spare, |row, out| sweep.mass_fluxes(row, [soil, mass], faces, out));
-    team.rows(partition, soil, |row, out| sweep.difference(row, flux, out));
+    team.rows(partition, spare, |row, out| sweep.mass_fluxes(part(row), [soil, mass], faces, out));
+    team.rows(partition, soil, |row, out| sweep.difference(part(row), flux, out));
     // The volume flux is done with: room for what the mass carries, then for the dual flux.
     for field in fields(by_mass) {
         let faces: [&[Real]; 2] = [spare, reach];
-        team.rows(partition, flux, |row, out| sweep.carry(row, [mass, field], faces, out));
+        team.rows(partition, flux, |row, out| sweep.carry(part(row), [mass, field], faces, out));
         std::mem::swap(field, flux);
     }
-    team.rows(partition, mass, |row, out| sweep.difference(row, spare, out));
+    team.rows(partition, mass, |row, out| sweep.difference(part(row), spare, out));
     // The mass flux is in `spare`.
-    team.rows(partition, flux, |row, out| dual_fluxes(grid, axis, row, spare, out));
+    team.rows(partition, flux, |row, out| sweep.dual_fluxes(part(row), spare, out));
     let mass_moved = model.mass_moved() as Real;
-    team.rows(partition, reach, |row, out| dual_reaches(grid, axis, row, [node_mass, flux], mass_moved, out));
+    team.rows(partition, reach, |row, out| {
+        sweep.dual_reaches(part(row), [node_mass, flux], mass_moved, out);
+    });
     for velocity in velocity {
         let inputs: [&[Real]; 4] = [velocity, node_mass, flux, reach];
-        team.rows(partition, spare, |row, out| carry_momentum(grid, axis, row, inputs, out));
+        team.rows(partition, spare, |row, out| sweep.carry_momentum(part(row), inputs, out));
         std::mem::swap(velocity, spare);
     }
-    team.rows(partition, node_mass, |row, out| carry_mass(grid, axis, row, flux, out));
+    team.rows(partition, node_mass, |row, out| sweep.carry_mass(part(row), flux, out));
 }
 
-/// Lets nothing into the `filled` cells, in the order of the memory, but from one into another: to the nodes
-/// a surface within a cell is none, and what they drive into the body stays before it.
-fn close(filled: &[usize], stride: usize, flux: &mut [Real]) {
+/// The faces through which nothing may flow into one of the `filled` cells, in the order of the memory, but
+/// from another one; and whether the cell lies above the face (1) or below it (−1). To the nodes a surface
+/// within a cell is none, and what they drive into the body stays before it.
+pub(super) fn closed_faces(filled: &[usize], stride: usize) -> impl Iterator<Item = (usize, Real)> + '_ {
     let is_filled = |cell: usize| filled.binary_search(&cell).is_ok();
-    for &low in filled {
+    let of_cell = move |low: usize| {
         let high = low + stride;
-        if !is_filled(low - stride) {
-            flux[low] = flux[low].min(0.0);
-        }
-        if !is_filled(high) {
-            flux[high] = flux[high].max(0.0);
-        }
-    }
+        [(low, low - stride, 1.0), (high, high, -1.0)]
+            .into_iter()
+            .filter(move |(_, beyond, _)| !is_filled(*beyond))
+            .map(|(face, _, side)| (face, side))
+    };
+    filled.iter().flat_map(move |cell| of_cell(*cell))
 }
 
 /// Masses of a row of nodes from those of the cells [kg].
 pub(crate) fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Real], node_mass: &mut [Real]) {
-    let [nx, ny, _] = grid.cells();
-    let [x, y, z] = grid.stride;
-    if (1..=ny + 1).contains(&grid.row_and_plane(row)[0]) {
-        for i in 0..=nx {
-            let at = |offset: usize| {
-                let c = row * y + i + 1 - offset;
-                cell_mass[c] + cell_mass[c - x]
-            };
-            node_mass[i + 1] = 0.125 * ((at(0) + at(y)) + (at(z) + at(y + z)));
-        }
+    let layout = grid.layout();
+    remap::nodal_masses(&layout, part(&layout, row), cell_mass, node_mass);
+}
+
+/// Sets the displacement to zero, gives the nodes the masses of the cells round them, and leaves the scratch
+/// arrays zero where there is no soil, as the Lagrangian stage expects them.
+pub(crate) fn reset_nodes(model: &Model, state: &mut State, workspace: &mut Workspace) {
+    let Workspace { team, partition, velocity_before, device, .. } = workspace;
+    if let Some(device) = device.as_mut().filter(|device| device.remaps()) {
+        return device.reset_nodes(model, state, velocity_before);
+    }
+    for array in state.nodes.displacement.iter_mut().chain(velocity_before) {
+        team.rows(partition, array, |_, out| out.fill(0.0));
+    }
+    let cells = &state.soil.mass;
+    team.rows(partition, &mut state.nodes.mass, |row, out| nodal_masses(&model.grid, row, cells, out));
+}
+
+/// Stops nodes that have lost their soil; only after a remap, not between sweeps.
+pub(crate) fn stop_massless(model: &Model, state: &mut State, workspace: &mut Workspace) {
+    if let Some(device) = workspace.remapping() {
+        return device.stop_massless(model);
+    }
+    let Workspace { team, partition, .. } = workspace;
+    let (mass_moved, mass) = (model.mass_moved() as Real, &state.nodes.mass);
+    for v in &mut state.nodes.velocity {
+        team.rows(partition, v, |row, out| {
+            remap::stop_massless(&mass[row * partition.stride..], mass_moved, out);
+        });
     }
 }
 
@@ -183,11 +216,13 @@ mod tests {
             let row = (k + 1) * grid.rows() + j + 1;
             let volume = grid.volume(i, j, k);
             let mut cells = vec![0.0; grid.stride[1]];
-            cells[i + 1] = (volume + swollen(&grid, &displacement, layers)) as Real;
+            let u = displacement.each_ref().map(Vec::as_slice);
+            let gain = remap::swollen(&grid.layout(), u, grid.index(i, j, k), layers);
+            cells[i + 1] = (volume + gain) as Real;
             swelled += usize::from((f64::from(cells[i + 1]) / volume - 1.0).abs() > 1e-3);
             for (axis, u) in displacement.iter().enumerate() {
-                let sweep = Sweep { grid: &grid, axis, row_active: &row_active };
-                sweep.undo_displacement(row, u, &mut cells);
+                let sweep = Sweep { layout: grid.layout(), axis, row_active: &row_active };
+                sweep.undo_displacement(part(&grid.layout(), row), u, &mut cells);
             }
             let error = f64::from(cells[i + 1]) / volume - 1.0;
             assert!(error.abs() < 8.0 * f64::from(Real::EPSILON), "cell {layers:?}: {error}");

@@ -3,52 +3,59 @@
 
 use super::transport::Sweep;
 use super::{FULL, Real};
-use physics::interface::Plane;
+use crate::layout::Part;
+use ::physics::double::select::{max, min};
+use ::physics::interface::Plane;
 
 /// What the fluxes follow from, at the start of a sweep.
-pub(crate) struct FluxInputs<'a> {
-    pub(crate) sweep: Sweep<'a>,
+#[derive(Clone, Copy, Debug)]
+pub struct FluxInputs<'a> {
+    /// The sweep.
+    pub sweep: Sweep<'a>,
     /// Nodal displacement along the axis since the last remap [m].
-    pub(crate) displacement: &'a [Real],
+    pub displacement: &'a [Real],
     /// Volume fraction.
-    pub(crate) fraction: &'a [Real],
+    pub fraction: &'a [Real],
     /// Soil volume in the (displaced) cell [m³].
-    pub(crate) soil: &'a [Real],
+    pub soil: &'a [Real],
     /// Volume of the displaced cell [m³].
-    pub(crate) cell: &'a [Real],
+    pub cell: &'a [Real],
 }
 
 impl FluxInputs<'_> {
-    /// Soil volume that crosses the low faces of a row of cells [m³].
-    pub(crate) fn volume_fluxes(&self, row: usize, flux: &mut [Real]) {
-        let Sweep { grid, axis, .. } = self.sweep;
-        let (base, stride) = (row * grid.stride[1], grid.stride[axis]);
+    /// Soil volume that crosses the low faces of a part of a row of cells [m³].
+    #[inline(always)]
+    pub fn volume_fluxes(&self, part: Part, flux: &mut [Real]) {
         flux.fill(0.0);
-        self.sweep.each_cell(row, |c, layers| {
-            if layers[axis] == 0 {
-                return;
-            }
-            let phi = self.sweep.swept(self.displacement, c, layers);
-            if phi == 0.0 {
-                return;
-            }
-            let donor = if phi > 0.0 { c - stride } else { c };
-            let fraction = f64::from(self.fraction[donor]);
-            let (soil, cell) = (f64::from(self.soil[donor]), f64::from(self.cell[donor]));
-            let through = if fraction >= FULL {
-                phi.abs()
-            } else if fraction <= 0.0 {
-                0.0
-            } else {
-                let plane = Plane::new(self.normal(donor), fraction);
-                let swept_fraction = phi.abs() / cell;
-                plane.slab(axis, phi > 0.0, swept_fraction) * cell
-            };
-            // The void must not be overdrawn either: these bounds keep the fraction between 0 and 1.
-            let void = cell - soil;
-            let bounded = through.max(phi.abs() - void).max(0.0).min(soil).min(phi.abs());
-            flux[c - base] = bounded.copysign(phi) as Real;
-        });
+        self.sweep.each_cell(part, |c, layers| flux[c - part.start] = self.volume_flux(c, layers));
+    }
+
+    /// Soil volume that crosses the low face of a cell [m³].
+    #[inline(always)]
+    fn volume_flux(&self, c: usize, layers: [usize; 3]) -> Real {
+        let Sweep { layout, axis, .. } = self.sweep;
+        if layers[axis] == 0 {
+            return 0.0;
+        }
+        let phi = self.sweep.swept(self.displacement, c, layers);
+        if phi == 0.0 {
+            return 0.0;
+        }
+        let donor = if phi > 0.0 { c - layout.stride[axis] } else { c };
+        let fraction = f64::from(self.fraction[donor]);
+        let (soil, cell) = (f64::from(self.soil[donor]), f64::from(self.cell[donor]));
+        let through = if fraction >= FULL {
+            phi.abs()
+        } else if fraction <= 0.0 {
+            0.0
+        } else {
+            let plane = Plane::new(self.normal(donor), fraction);
+            plane.slab(axis, phi > 0.0, phi.abs() / cell) * cell
+        };
+        // The void must not be overdrawn either: these bounds keep the fraction between 0 and 1.
+        let void = cell - soil;
+        let bounded = min(min(max(max(through, phi.abs() - void), 0.0), soil), phi.abs());
+        bounded.copysign(phi) as Real
     }
 
     /// Normal of the surface in a cell, from soil to void, in unit-cell coordinates: from the heights of the
@@ -71,14 +78,14 @@ impl FluxInputs<'_> {
         } else {
             2
         };
-        let grid = self.sweep.grid;
-        let (layers, cells) = (grid.layers_of(c), grid.cells());
+        let layout = self.sweep.layout;
+        let (layers, cells) = (layout.layers_of(c), layout.cells);
         let [first, second] = [(up + 1) % 3, (up + 2) % 3];
         let inside = |axis: usize, reach: usize| layers[axis] >= reach && layers[axis] + reach < cells[axis];
         if !inside(up, REACH) {
             return None;
         }
-        let stride = grid.stride[up];
+        let stride = layout.stride[up];
         let height = |middle: usize| {
             let low = middle - REACH * stride;
             let fraction = |n: usize| f64::from(self.fraction[low + n * stride]);
@@ -92,7 +99,7 @@ impl FluxInputs<'_> {
             if cells[axis] == 1 {
                 return Some(0.0);
             }
-            let s = grid.stride[axis];
+            let s = layout.stride[axis];
             inside(axis, 1).then_some(())?;
             Some(0.5 * (height(c + s)? - height(c - s)?))
         };
@@ -106,13 +113,13 @@ impl FluxInputs<'_> {
     /// Normal from the gradient of the volume fraction over 27 cells (Youngs 1984); neighbours outside the
     /// grid are taken equal to the cells inside.
     fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
-        let grid = self.sweep.grid;
-        let layers = grid.layers_of(c);
-        let cells = grid.cells();
+        let layout = self.sweep.layout;
+        let layers = layout.layers_of(c);
+        let cells = layout.cells;
         // Offsets to the neighbours, or 0 where there is none.
-        let offset: [[isize; 3]; 3] = std::array::from_fn(|axis| {
-            let s = grid.stride[axis].cast_signed();
-            let low = if layers[axis] > 0 { -s } else { 0 };
+        let offset: [[usize; 3]; 3] = std::array::from_fn(|axis| {
+            let s = layout.stride[axis];
+            let low = if layers[axis] > 0 { s.wrapping_neg() } else { 0 };
             let high = if layers[axis] + 1 < cells[axis] { s } else { 0 };
             [low, 0, high]
         });
@@ -121,8 +128,9 @@ impl FluxInputs<'_> {
         for (z, dz) in offset[2].iter().enumerate() {
             for (x, dx) in offset[0].iter().enumerate() {
                 // The two sides of y are added first: a mirror in y then changes no bit.
-                let [low, middle, high] =
-                    offset[1].map(|dy| f64::from(self.fraction[c.wrapping_add_signed(dx + dy + dz)]));
+                let [low, middle, high] = offset[1].map(|dy| {
+                    f64::from(self.fraction[c.wrapping_add(*dx).wrapping_add(dy).wrapping_add(*dz)])
+                });
                 let sum = (low + high) + 2.0 * middle;
                 gradient[0] += sum * WEIGHT[z] * (x as f64 - 1.0);
                 gradient[1] += (high - low) * WEIGHT[x] * WEIGHT[z];
@@ -130,5 +138,13 @@ impl FluxInputs<'_> {
             }
         }
         gradient.map(|g| -g)
+    }
+}
+
+/// Lets nothing flow through a face towards the cell above it, if `side` is positive, or else below it.
+#[inline(always)]
+pub fn close_face(flux: &mut Real, side: Real) {
+    if *flux * side > 0.0 {
+        *flux = 0.0;
     }
 }

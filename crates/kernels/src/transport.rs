@@ -1,185 +1,262 @@
 //! Transport along one axis: what the soil carries that crosses the faces.
 //!
-//! All functions work on one row of cells (or nodes), given by its number, and read whole arrays; they write
-//! only the row they are given. "Low face" of a cell is the one towards smaller coordinates; face values are
-//! kept at the cell above it, those of dual faces at the node below. Rows are gone through with their ghosts,
-//! through which nothing flows.
+//! All functions work on some neighbours in a row of cells (or nodes), and read whole arrays; they write only
+//! those they are given: the processor a row with its ghosts, through which nothing flows, a device one cell.
+//! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it,
+//! those of dual faces at the node below.
 
 use super::Real;
 use super::physics::limiter::monotonised_central;
-use crate::grid::Grid;
+use crate::layout::{Layout, Part};
 use multiversion::multiversion;
+use std::ops::Range;
 
 /// A sweep along one axis.
-#[derive(Clone, Copy)]
-pub(crate) struct Sweep<'a> {
-    pub(crate) grid: &'a Grid,
+#[derive(Clone, Copy, Debug)]
+pub struct Sweep<'a> {
+    /// The grid.
+    pub layout: Layout<'a>,
     /// The axis: 0, 1, 2.
-    pub(crate) axis: usize,
+    pub axis: usize,
     /// Rows that may hold soil now or after the sweep, by plane and row.
-    pub(crate) row_active: &'a [bool],
+    pub row_active: &'a [bool],
 }
 
 impl Sweep<'_> {
     /// 0-based layers along y and z of a row of cells, if it is active.
     fn layers(&self, row: usize) -> Option<[usize; 2]> {
-        let ([_, ny, nz], [q, plane]) = (self.grid.cells(), self.grid.row_and_plane(row));
-        (self.row_active[row] && (1..=ny).contains(&q) && plane <= nz).then(|| [q - 1, plane - 1])
+        self.layout.layers_of_row(row).filter(|_| self.row_active[row])
     }
 
-    /// Calls `job(cell, its 0-based layers)` for the cells of a row, if it is active.
-    pub(crate) fn each_cell(&self, row: usize, mut job: impl FnMut(usize, [usize; 3])) {
-        if let Some([j, k]) = self.layers(row) {
-            let start = row * self.grid.stride[1] + 1;
-            for i in 0..self.grid.cells()[0] {
-                job(start + i, [i, j, k]);
-            }
+    /// Calls `job(cell, its 0-based layers)` for the cells of a part of a row, if this is active.
+    #[inline(always)]
+    pub fn each_cell(&self, part: Part, job: impl FnMut(usize, [usize; 3])) {
+        if self.row_active[part.start / self.layout.stride[1]] {
+            self.layout.each_cell(part, job);
         }
     }
 
     /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean
     /// displacement of its four nodes.
     #[inline(always)]
-    pub(crate) fn swept(&self, u: &[Real], n: usize, layers: [usize; 3]) -> f64 {
+    pub fn swept(&self, u: &[Real], n: usize, layers: [usize; 3]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
-        let area = self.grid.width(first, layers[first]) * self.grid.width(second, layers[second]);
-        let (a, b) = (self.grid.stride[first], self.grid.stride[second]);
+        let area = self.layout.width(first, layers[first]) * self.layout.width(second, layers[second]);
+        let (a, b) = (self.layout.stride[first], self.layout.stride[second]);
         let u = |n: usize| f64::from(u[n]);
         0.25 * area * ((u(n) + u(n + a)) + (u(n + b) + u(n + a + b)))
     }
 
-    /// Takes off what the high faces of a row of cells sweep and adds what the low ones do: new volumes of
+    /// Takes off what the high faces of a part of a row sweep and adds what the low ones do: new volumes of
     /// the displaced cells.
-    pub(crate) fn undo_displacement(&self, row: usize, displacement: &[Real], cell: &mut [Real]) {
-        let Self { grid, axis, .. } = *self;
-        let Some([j, k]) = self.layers(row) else { return };
-        let ([nx, ..], [_, length, _]) = (grid.cells(), grid.stride);
-        // Nothing is swept by the walls of the box; those across x are at the ends of the rows.
-        let ends = usize::from(axis == 0);
-        let (own, x_faces) = (1 + ends..1 + nx - ends, &grid.faces[0][ends..=nx - ends]);
-        let layer = [ends, j, k][axis];
-        let four = |open: bool, n: usize| {
-            let [a, b] = [(axis + 1) % 3, (axis + 2) % 3].map(|other| grid.stride[other]);
-            // The lowest plane is all ghosts, which do not move.
-            [0, a, b, a + b].map(|corner| if open { n + corner } else { 0 })
-        };
-        let swept = |starts: [usize; 4]| starts.map(|n| &displacement[n..n + own.len()]);
-        let (c, s) = (row * length + own.start, grid.stride[axis]);
-        let faces = [four(layer > 0, c), four(layer + 1 < grid.cells()[axis], c + s)].map(swept);
-        let across = match axis {
-            0 => grid.width(1, j) * grid.width(2, k),
-            1 => grid.width(2, k),
-            _ => grid.width(1, j),
-        };
-        undo_row(faces, (axis > 0).then_some(x_faces), across, &mut cell[own]);
-        if axis == 0 {
-            let first = row * length + 1;
-            cell[1] -= self.swept(displacement, first + 1, [0, j, k]) as Real;
-            cell[nx] += self.swept(displacement, first + nx - 1, [nx - 1, j, k]) as Real;
+    #[inline(always)]
+    pub fn undo_displacement(&self, part: Part, displacement: &[Real], cell: &mut [Real]) {
+        let (first, columns) = (part.start % self.layout.stride[1], self.layout.columns(part));
+        let (low, high) = (columns.start, columns.end);
+        // The outermost columns have a wall across x on one side.
+        let ends =
+            if self.axis == 0 { [high.min(2), high.min(self.layout.cells[0].max(2))] } else { [low; 2] };
+        let mut next = low;
+        for end in [ends[0], ends[1], high] {
+            if next < end {
+                let own = next - first..end - first;
+                self.undo_columns(part.start - first, next..end, displacement, &mut cell[own]);
+                next = end;
+            }
         }
     }
 
-    /// How far along its slope, in cells, the value carried through the low faces of a row lies from the
-    /// middle of the donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour
-    /// holds little soil.
-    pub(crate) fn reaches(&self, row: usize, [flux, fraction, soil]: [&[Real]; 3], out: &mut [Real]) {
-        if let Some(row) = self.active(row) {
+    /// [`Sweep::undo_displacement`] in some columns of the row that begins at `start`. Nothing is swept by the
+    /// walls of the box: of the columns beside one across x, each must come alone.
+    #[inline(always)]
+    fn undo_columns(&self, start: usize, columns: Range<usize>, displacement: &[Real], cell: &mut [Real]) {
+        let Self { layout, axis, .. } = *self;
+        let Some([j, k]) = self.layers(start / layout.stride[1]) else { return };
+        let [lowest, highest] = [[columns.start - 1, columns.end - 2], [j, j], [k, k]][axis];
+        let four = |open: bool, n: usize| {
+            let [a, b] = [(axis + 1) % 3, (axis + 2) % 3].map(|other| layout.stride[other]);
+            // The lowest plane is all ghosts, which do not move.
+            [0, a, b, a + b].map(|corner| if open { n + corner } else { 0 })
+        };
+        let swept = |starts: [usize; 4]| starts.map(|n| &displacement[n..n + columns.len()]);
+        let (c, s) = (start + columns.start, layout.stride[axis]);
+        let faces = [four(lowest > 0, c), four(highest + 1 < layout.cells[axis], c + s)].map(swept);
+        let across = match axis {
+            0 => layout.width(1, j) * layout.width(2, k),
+            1 => layout.width(2, k),
+            _ => layout.width(1, j),
+        };
+        let x_faces = &layout.faces[0][columns.start - 1..columns.end];
+        undo_row(faces, (axis > 0).then_some(x_faces), across, cell);
+    }
+
+    /// How far along its slope, in cells, the value carried through the low faces of a part of a row lies
+    /// from the middle of the donor: half of what the flux leaves behind; 0 where the donor is not full or a
+    /// neighbour holds little soil.
+    #[inline(always)]
+    pub fn reaches(&self, part: Part, [flux, fraction, soil]: [&[Real]; 3], out: &mut [Real]) {
+        if let Some(row) = self.active(part) {
             reach_row(row.of(flux), row.round(fraction), row.round(soil), out);
         }
     }
 
-    /// Mass that crosses the low faces of a row of cells [kg], with `soil` volumes as they were before the
+    /// Mass that crosses the low faces of a part of a row [kg], with `soil` volumes as they were before the
     /// sweep.
-    pub(crate) fn mass_fluxes(
+    #[inline(always)]
+    pub fn mass_fluxes(
         &self,
-        row: usize,
+        part: Part,
         [soil, mass]: [&[Real]; 2],
         [flux, reach]: [&[Real]; 2],
         out: &mut [Real],
     ) {
-        match self.active(row) {
+        match self.active(part) {
             Some(row) => mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(soil), out),
             None => out.fill(0.0),
         }
     }
 
-    /// New value of a carried field in a row of cells, with `soil` volumes as they were before the sweep.
-    pub(crate) fn carry(
+    /// New value of a carried field in a part of a row, with `soil` volumes as they were before the sweep.
+    #[inline(always)]
+    pub fn carry(
         &self,
-        row: usize,
+        part: Part,
         [soil, field]: [&[Real]; 2],
         [flux, reach]: [&[Real]; 2],
         out: &mut [Real],
     ) {
-        match self.active(row) {
+        match self.active(part) {
             Some(row) => {
                 let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
                 carry_row(faces, row.round(field), row.of(soil), out);
             }
-            None => out.copy_from_slice(&field[row * out.len()..][..out.len()]),
+            None => out.copy_from_slice(&field[part.start..part.start + part.length]),
         }
     }
 
-    /// Takes off what flows out through the high faces of a row and adds what flows in through the low ones.
-    pub(crate) fn difference(&self, row: usize, face: &[Real], out: &mut [Real]) {
-        if let Some(row) = self.active(row) {
+    /// Takes off what flows out through the high faces of a part of a row and adds what flows in through the
+    /// low ones.
+    #[inline(always)]
+    pub fn difference(&self, part: Part, face: &[Real], out: &mut [Real]) {
+        if let Some(row) = self.active(part) {
             for ((value, low), high) in out.iter_mut().zip(row.of(face)).zip(row.above(face)) {
                 *value -= high - low;
             }
         }
     }
 
-    /// A row of cells with its neighbours, if it is active.
-    fn active(&self, row: usize) -> Option<Row> {
-        self.layers(row).map(|_| Row::new(self.grid, self.axis, row))
+    /// Mass that crosses the dual faces between a node and the next along the axis [kg], for a part of a row
+    /// of nodes.
+    #[inline(always)]
+    pub fn dual_fluxes(&self, part: Part, mass_flux: &[Real], out: &mut [Real]) {
+        let Self { layout, axis, .. } = *self;
+        let [_, plane] = layout.row_and_plane(part.start / layout.stride[1]);
+        let Some(row) = self.of_nodes(part).filter(|_| axis < 2 || plane <= layout.cells[2]) else {
+            out.fill(0.0);
+            return;
+        };
+        let [a, b] = [layout.stride[(axis + 1) % 3], layout.stride[(axis + 2) % 3]];
+        let pair = |back: usize| {
+            let row = Row { part: Part { start: part.start - back, ..part }, ..row };
+            [row.of(mass_flux), row.above(mass_flux)]
+        };
+        dual_flux_row([pair(0), pair(a), pair(b), pair(a + b)], out);
+    }
+
+    /// How far the flux of a donor reaches, like [`Sweep::reaches`], for the dual faces above a part of a row
+    /// of nodes: 0 where a neighbour of the donor has no mass.
+    #[inline(always)]
+    pub fn dual_reaches(&self, part: Part, [mass, flux]: [&[Real]; 2], mass_moved: Real, out: &mut [Real]) {
+        if let Some(row) = self.of_nodes(part) {
+            dual_reach_row(row.of(flux), row.round(mass), mass_moved, out);
+        }
+    }
+
+    /// New masses of a part of a row of nodes after the dual fluxes.
+    #[inline(always)]
+    pub fn carry_mass(&self, part: Part, flux: &[Real], out: &mut [Real]) {
+        if let Some(row) = self.of_nodes(part) {
+            for ((mass, low), high) in out.iter_mut().zip(row.below(flux)).zip(row.of(flux)) {
+                *mass -= high - low;
+            }
+        }
+    }
+
+    /// New velocity component of a part of a row of nodes after the dual fluxes have carried momentum.
+    #[inline(always)]
+    pub fn carry_momentum(&self, part: Part, [velocity, mass, flux, reach]: [&[Real]; 4], out: &mut [Real]) {
+        match self.of_nodes(part) {
+            Some(row) => {
+                let faces = [row.below(flux), row.of(flux), row.below(reach), row.of(reach)];
+                momentum_row(faces, row.round(velocity), row.of(mass), out);
+            }
+            None => out.copy_from_slice(&velocity[part.start..part.start + part.length]),
+        }
+    }
+
+    /// A part of a row of cells with its neighbours, if it is active.
+    fn active(&self, part: Part) -> Option<Row> {
+        self.layers(part.start / self.layout.stride[1]).map(|_| Row::new(self, part))
+    }
+
+    /// A part of a row of nodes with its neighbours, if it is one.
+    fn of_nodes(&self, part: Part) -> Option<Row> {
+        let [q, _] = self.layout.row_and_plane(part.start / self.layout.stride[1]);
+        (1..=self.layout.cells[1] + 1).contains(&q).then(|| Row::new(self, part))
     }
 }
 
-/// A row of cells or nodes and its neighbours along an axis.
+/// A part of a row of cells or nodes and its neighbours along an axis.
 #[derive(Clone, Copy)]
 struct Row {
-    start: usize,
-    length: usize,
+    part: Part,
+    /// Columns before the part.
+    before: usize,
+    /// Distance between neighbours along the axis, between rows, between planes.
     stride: usize,
+    row: usize,
     plane: usize,
 }
 
 impl Row {
-    fn new(grid: &Grid, axis: usize, row: usize) -> Self {
-        let [_, length, plane] = grid.stride;
-        Self { start: row * length, length, stride: grid.stride[axis], plane }
+    fn new(sweep: &Sweep, part: Part) -> Self {
+        let stride = sweep.layout.stride;
+        let before = part.start % stride[1];
+        Self { part, before, stride: stride[sweep.axis], row: stride[1], plane: stride[2] }
     }
 
-    /// A row of nodes, if it is one.
-    fn of_nodes(grid: &Grid, axis: usize, row: usize) -> Option<Self> {
-        let ([q, _], [_, ny, _]) = (grid.row_and_plane(row), grid.cells());
-        (1..=ny + 1).contains(&q).then(|| Self::new(grid, axis, row))
-    }
-
-    /// The row of an array from `start` on; beyond the array that of the lowest plane, which is all ghosts.
+    /// The part of an array from `start` on; where a whole row would reach beyond the array, that of the
+    /// lowest plane, which is all ghosts.
+    #[inline(always)]
     fn at(self, array: &[Real], start: Option<usize>) -> &[Real] {
-        let start = start.filter(|s| s + self.length <= array.len()).unwrap_or(self.start % self.plane);
-        &array[start..start + self.length]
+        let in_array = |s: &usize| s + self.row <= array.len() + self.before;
+        let start = start.filter(in_array).unwrap_or(self.part.start % self.plane);
+        &array[start..start + self.part.length]
     }
 
     fn of(self, array: &[Real]) -> &[Real] {
-        self.at(array, Some(self.start))
+        self.at(array, Some(self.part.start))
     }
 
     fn above(self, array: &[Real]) -> &[Real] {
-        self.at(array, Some(self.start + self.stride))
+        self.at(array, Some(self.part.start + self.stride))
     }
 
     fn below(self, array: &[Real]) -> &[Real] {
-        self.at(array, self.start.checked_sub(self.stride))
+        self.at(array, self.part.start.checked_sub(self.stride))
     }
 
-    /// The rows from two below to two above.
+    /// The parts from two below to two above.
+    #[inline(always)]
     fn round(self, array: &[Real]) -> [&[Real]; 5] {
-        let (start, s) = (self.start, self.stride);
-        let starts = [start.checked_sub(2 * s), start.checked_sub(s)].into_iter();
-        let mut starts = starts.chain([start, start + s, start + 2 * s].map(Some));
-        std::array::from_fn(|_| self.at(array, starts.next().flatten()))
+        let (start, s) = (self.part.start, self.stride);
+        [
+            self.at(array, start.checked_sub(2 * s)),
+            self.at(array, start.checked_sub(s)),
+            self.at(array, Some(start)),
+            self.at(array, Some(start + s)),
+            self.at(array, Some(start + 2 * s)),
+        ]
     }
 }
 
@@ -258,22 +335,6 @@ fn carry_row(faces: [&[Real]; 4], field: [&[Real]; 5], soil: &[Real], out: &mut 
     }
 }
 
-/// Mass that crosses the dual faces between node `n` and the next along the axis [kg], for a row of nodes.
-pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, row: usize, mass_flux: &[Real], out: &mut [Real]) {
-    let [_, plane] = grid.row_and_plane(row);
-    let row = Row::of_nodes(grid, axis, row).filter(|_| axis < 2 || plane <= grid.cells()[2]);
-    let Some(row) = row else {
-        out.fill(0.0);
-        return;
-    };
-    let [a, b] = [grid.stride[(axis + 1) % 3], grid.stride[(axis + 2) % 3]];
-    let pair = |back: usize| {
-        let row = Row { start: row.start - back, ..row };
-        [row.of(mass_flux), row.above(mass_flux)]
-    };
-    dual_flux_row([pair(0), pair(a), pair(b), pair(a + b)], out);
-}
-
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     let n = out.len();
@@ -282,21 +343,6 @@ fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     let (c0, c1, d0, d1) = (&c0[..n], &c1[..n], &d0[..n], &d1[..n]);
     for i in 0..n {
         out[i] = 0.125 * (((a0[i] + a1[i]) + (b0[i] + b1[i])) + ((c0[i] + c1[i]) + (d0[i] + d1[i])));
-    }
-}
-
-/// How far the flux of a donor reaches, like [`Sweep::reaches`], for the dual faces above a row of nodes: 0
-/// where a neighbour of the donor has no mass.
-pub(crate) fn dual_reaches(
-    grid: &Grid,
-    axis: usize,
-    row: usize,
-    [mass, flux]: [&[Real]; 2],
-    mass_moved: Real,
-    out: &mut [Real],
-) {
-    if let Some(row) = Row::of_nodes(grid, axis, row) {
-        dual_reach_row(row.of(flux), row.round(mass), mass_moved, out);
     }
 }
 
@@ -311,32 +357,6 @@ fn dual_reach_row(flux: &[Real], mass: [&[Real]; 5], mass_moved: Real, out: &mut
         let fraction = flux[i].abs() / donor;
         let side = if forward { 0.5 } else { -0.5 };
         out[i] = if smooth { side * (1.0 - if fraction < 1.0 { fraction } else { 1.0 }) } else { 0.0 };
-    }
-}
-
-/// New masses of a row of nodes after the dual fluxes.
-pub(crate) fn carry_mass(grid: &Grid, axis: usize, row: usize, flux: &[Real], out: &mut [Real]) {
-    if let Some(row) = Row::of_nodes(grid, axis, row) {
-        for ((mass, low), high) in out.iter_mut().zip(row.below(flux)).zip(row.of(flux)) {
-            *mass -= high - low;
-        }
-    }
-}
-
-/// New velocity component of a row of nodes after the dual fluxes have carried momentum.
-pub(crate) fn carry_momentum(
-    grid: &Grid,
-    axis: usize,
-    row: usize,
-    [velocity, mass, flux, reach]: [&[Real]; 4],
-    out: &mut [Real],
-) {
-    match Row::of_nodes(grid, axis, row) {
-        Some(row) => {
-            let faces = [row.below(flux), row.of(flux), row.below(reach), row.of(reach)];
-            momentum_row(faces, row.round(velocity), row.of(mass), out);
-        }
-        None => out.copy_from_slice(&velocity[row * out.len()..][..out.len()]),
     }
 }
 
