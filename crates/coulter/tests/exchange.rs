@@ -2,10 +2,13 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::{self, Case};
-use coulter::simulation::{Command, Coupled, ExchangeError, Reaction, Simulation};
+use coulter::simulation::{
+    Command, Coupled, Exchange, ExchangeError, Reaction, Simulation, Steerer, Stop, Wish,
+};
 use coulter::trust::limits;
 use glam::{DQuat, DVec3};
 use mechanics::{Mobility, Pose, Twist, Wrench};
+use solver::device::replay::Replay;
 use solver::precision::Precision;
 use std::f64::consts::TAU;
 
@@ -51,6 +54,58 @@ fn own_motions_keep_their_bits<R: Precision>(numerics: &str) {
         let next = stepped.state.time + f64::from(number) * dt;
         stepped.step_until(next, &[(0, Command::Own)]).unwrap();
         assert!(bits(&alone) == bits(&stepped));
+    }
+}
+
+/// What is saved, restored and told in a run whose soil a device strains is what it is on the processor.
+#[test]
+fn a_device_keeps_the_bits_of_exchanges() {
+    let case = disc(&[FREE]);
+    let run = |device: Option<Replay>| {
+        let mut simulation = Simulation::<f64>::new(&case);
+        device.into_iter().for_each(|device| simulation.use_device(Box::new(device)).unwrap());
+        let mut steerer = Saving::default();
+        let stop = simulation.run_steered(&mut [], &mut steerer).unwrap();
+        assert_eq!(stop, Stop::Finished);
+        let at_end = bits(&simulation);
+        simulation.step_until(simulation.state.time + 0.01, &[]).unwrap();
+        (steerer.said, at_end, bits(&simulation))
+    };
+    assert!(run(None) == run(Some(Replay::default())));
+}
+
+/// Saves a state between two remaps, goes on, goes back to it, and looks at the ground.
+#[derive(Default)]
+struct Saving {
+    wishes: usize,
+    saved: Vec<u8>,
+    said: Vec<String>,
+}
+
+impl Steerer for Saving {
+    fn next(&mut self, exchange: Exchange) -> Wish {
+        self.said.push(format!("{exchange:?}"));
+        self.wishes += 1;
+        match self.wishes {
+            2 => Wish::Save,
+            4 => Wish::Restore(self.saved.clone()),
+            5 => Wish::Ground(vec![[0.05, 0.0], [0.1, 0.0]]),
+            7 => Wish::Finish,
+            _ => Wish::Until(exchange.time + 0.0123, Vec::new()),
+        }
+    }
+
+    fn refused(&mut self, why: String) {
+        panic!("{why}");
+    }
+
+    fn ground(&mut self, heights: Vec<Option<f64>>) {
+        self.said.push(format!("{heights:?}"));
+    }
+
+    fn saved(&mut self, state: Vec<u8>) {
+        self.saved = state;
+        self.said.push(format!("{:?}", self.saved));
     }
 }
 

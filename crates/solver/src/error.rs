@@ -54,9 +54,7 @@ pub enum Breakdown {
         location: Location,
     },
     /// The device that strains the soil does not do so any more.
-    #[error(
-        "the device failed at t = {time:.6} s (step {step}): {why}; --resume continues from the last checkpoint, on the processor without --device"
-    )]
+    #[error("the device failed at t = {time:.6} s (step {step}): {why}")]
     Device {
         /// What the device says.
         why: String,

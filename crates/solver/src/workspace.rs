@@ -172,7 +172,10 @@ impl<R: Kernels> Workspace<R> {
     }
 
     /// Fails if the device has.
-    pub(crate) fn device_works(&self, state: &State<R>) -> Result<(), Breakdown> {
+    ///
+    /// # Errors
+    /// [`Breakdown::Device`]: the state is not complete.
+    pub fn device_works(&self, state: &State<R>) -> Result<(), Breakdown> {
         let failed = self.soil.device.as_ref().and_then(|device| device.crossed().err());
         let (time, step) = (state.time, state.step);
         failed.map_or(Ok(()), |DeviceError(why)| Err(Breakdown::Device { why, time, step }))

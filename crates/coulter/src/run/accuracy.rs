@@ -4,7 +4,7 @@
 use super::confidence::{Budget, has_ended, left_out, run_variation, work};
 use super::options::{End, RunError, RunOptions, Start};
 use super::part::Part;
-use super::start::{ended_before, lock};
+use super::start::{self, ended_before, lock};
 use super::{run_locked, verdict};
 use case::{Case, require_valid};
 use report::{
@@ -118,7 +118,7 @@ impl Search<'_> {
                 return Ok(None);
             }
             match self.mesh(step) {
-                Ok(mesh) if self.usable().count() > 1 && !self.allows(&mesh) => return Ok(None),
+                Ok(mesh) if self.usable().count() > 1 && self.objection(&mesh)?.is_some() => return Ok(None),
                 Ok(mesh) => {
                     if let Some(stopped) = self.examine(step, mesh)? {
                         return Ok(Some(stopped));
@@ -142,10 +142,16 @@ impl Search<'_> {
         self.usable().map(|mesh| mesh.step).min().unwrap_or(1)
     }
 
-    /// Whether what is left of the budget allows a mesh.
-    fn allows(&self, mesh: &Variation) -> bool {
-        let Some(rate) = self.rate else { return true };
-        self.spent + rate * work(&mesh.case) <= self.accuracy.budget.seconds(rate * work(self.case))
+    /// Why a mesh is not run, if what is left of the budget or the device does not allow it.
+    fn objection(&self, mesh: &Variation) -> Result<Option<String>, RunError> {
+        let exceeds = |rate: f64| {
+            self.spent + rate * work(&mesh.case) > self.accuracy.budget.seconds(rate * work(self.case))
+        };
+        if self.rate.is_some_and(exceeds) {
+            let why = "the budget is too small for it: give more with --budget and --resume";
+            return Ok(Some(why.to_owned()));
+        }
+        Ok(start::objection(&mesh.case, self.options)?)
     }
 
     /// Runs a variation, unless it has finished before; how it was stopped, if it was.
@@ -177,7 +183,8 @@ impl Search<'_> {
                 beside: Some(base.name.clone()),
                 ..VariationResult::default()
             };
-            if self.allows(variation) {
+            result.because = self.objection(variation)?;
+            if result.because.is_none() {
                 let label = format!("{}, {}", variation.name.replace('_', " "), base.what);
                 if let Some(stopped) = self.run(variation, label)? {
                     return Ok(Some(stopped));
@@ -186,9 +193,6 @@ impl Search<'_> {
                     self.spent += wall_s;
                     result.status = Status::Examined;
                 }
-            } else {
-                result.because =
-                    Some("the budget is too small for it: give more with --budget and --resume".into());
             }
             self.others.push(result);
         }
@@ -233,7 +237,7 @@ impl Search<'_> {
             }
             let needed = self.needed(finest)?.min(finest - 1);
             let affordable = (needed..finest)
-                .find(|step| self.mesh(*step).is_ok_and(|mesh| self.allows(&mesh)))
+                .find(|step| matches!(self.mesh(*step).and_then(|mesh| self.objection(&mesh)), Ok(None)))
                 .unwrap_or(finest);
             if affordable == finest
                 && let Some(at) = self.meshes.iter().position(|mesh| mesh.step == finest)

@@ -3,7 +3,7 @@
 
 use super::options::{End, RunError, RunOptions, Start};
 use super::part::Part;
-use super::start::{ended_before, lock};
+use super::start::{self, ended_before, lock};
 use super::{run_locked, verdict};
 use case::{Case, estimate, require_valid, resolved};
 use report::{Summary, add_confidence, confidence_lines, finished, make_variations_folder, variation_folder};
@@ -177,7 +177,11 @@ impl Account<'_> {
         };
         let resumes = matches!(options.start, Start::Resume | Start::AutoResume);
         if !(resumes && has_ended(variation, options)?) {
-            if let Some(why) = self.objection(predicted) {
+            let why = match self.objection(predicted) {
+                None => start::objection(&variation.case, options)?,
+                some => some,
+            };
+            if let Some(why) = why {
                 result.because = Some(why);
                 self.results.push(result);
                 return Ok(None);

@@ -3,7 +3,10 @@
 
 mod accuracy;
 mod confidence;
+#[cfg(test)]
+mod lost_device;
 mod observers;
+pub mod on_device;
 mod options;
 mod part;
 mod processes;
@@ -31,7 +34,7 @@ pub use confidence::{Budget, Request, relative_cost, run_confidence};
 pub use options::{End, Follower, NoFollower, RunError, RunOptions, Start, alone};
 use part::Part;
 use processes::Processes;
-pub use solver::device::Device;
+pub use solver::device::{Device, DeviceError};
 use start::{Opened, ended_before, lock, open};
 
 /// Runs a case and writes its results.
@@ -49,6 +52,10 @@ pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
 pub fn run_followed(case: &Case, options: &RunOptions, follower: &mut dyn Follower) -> Result<End, RunError> {
     require_valid(case)?;
     let mut processes = Processes::of(options);
+    if options.device != Device::Processor && processes.place()[1] > 1 {
+        let why = "several processes strain the soil on processors alone";
+        return Err(DeviceError(why.to_owned()).into());
+    }
     let _lock = processes.first_alone(|| lock(case, options))?;
     if options.start == Start::AutoResume
         && let Some(summary) = ended_before(case, options.folder)?
@@ -103,10 +110,22 @@ fn run_in<R: Precision>(
     leader: Leader,
 ) -> Result<End, RunError> {
     let began = Instant::now();
-    let Opened { mut simulation, mut fields, mut results } = open::<R>(case, options)?;
+    let opened = open::<R>(case, options)?;
+    run_opened(opened, began, options, part, leader)
+}
+
+/// Runs what has been opened, since `began`.
+fn run_opened<R: Precision>(
+    opened: Opened<R>,
+    began: Instant,
+    options: &RunOptions,
+    part: &Part,
+    leader: Leader,
+) -> Result<End, RunError> {
+    let Opened { mut simulation, mut fields, mut results } = opened;
     // Of several processes the first keeps the folder; the others have their soil to write.
     let quiet = options.quiet || results.is_none();
-    let mut progress = Progress::start(case, simulation.state.time, quiet).labelled(&part.label);
+    let mut progress = Progress::start(&simulation.case, simulation.state.time, quiet).labelled(&part.label);
     let kept = (&mut fields, results.as_mut());
     let ended = observed(&mut simulation, kept, &mut progress, options, leader).and_then(|stop| {
         let kept = (&mut fields, results.as_mut());
@@ -131,6 +150,11 @@ fn run_in<R: Precision>(
             progress.finish(&part.headed("stopped; --resume continues from here".to_owned()));
             let signal = options.interrupts.stopped_by().unwrap_or_default();
             Ok(End::Stopped(signal, checkpoint::path(options.folder)))
+        }
+        Stop::BrokenDown(cause @ Breakdown::Device { .. }) => {
+            line(&format!("interrupted: {cause}"))?;
+            progress.finish(&part.headed("interrupted".to_owned()));
+            Err(RunError::Lost(Box::new(cause)))
         }
         Stop::BrokenDown(cause) => {
             line(&format!("broke down: {cause}"))?;

@@ -3,13 +3,13 @@
 
 use super::options::Follower;
 use super::watch::watch;
-
 use crate::interrupts::Interrupts;
 use crate::simulation::{Next, Observer, ObserverError, Simulation, Stop};
 use results::folder::{Log, Outcome, RunRecord, RunStatistics, StageRecord};
 use results::progress::Progress;
 use results::tables::HistoryFiles;
 use results::vtk::FieldSeries;
+use solver::error::Breakdown;
 use solver::precision::Precision;
 use std::path::Path;
 use std::sync::atomic::Ordering;
@@ -150,6 +150,8 @@ impl<R: Precision> Observer<R> for Checkpoints<'_> {
     fn ended(&mut self, simulation: &Simulation<R>, stop: &Stop) -> Result<(), ObserverError> {
         let checkpoint = simulation.checkpoint();
         match stop {
+            // Its state is not complete.
+            Stop::BrokenDown(Breakdown::Device { .. }) => {}
             Stop::BrokenDown(_) => checkpoint.write_failed(self.folder)?,
             Stop::Finished | Stop::Asked(_) => checkpoint.write(self.folder)?,
         }

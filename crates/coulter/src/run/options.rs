@@ -118,6 +118,10 @@ pub enum RunError {
     /// The device that the run asks for is not there, or cannot run the case; nothing was written.
     #[error("--device: {0}")]
     Device(#[from] DeviceError),
+    /// The device was lost, which says nothing of the physics: the run can be resumed from its last
+    /// checkpoint.
+    #[error(transparent)]
+    Lost(Box<Breakdown>),
     /// Another process of the run has failed, and says why.
     #[error("another process of the run has failed")]
     Elsewhere,

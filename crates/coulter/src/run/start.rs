@@ -1,5 +1,6 @@
 //! How a run begins: from the start, or where an earlier one stopped.
 
+use super::on_device;
 use super::options::{RunError, RunOptions, Start};
 use super::processes::Processes;
 use crate::blocks;
@@ -8,13 +9,12 @@ use crate::simulation::Simulation;
 use case::Case;
 use case::case_text;
 use case::model::model;
-use case::resolved;
 use report::{Results, Summary, write_case_file};
 use results::OutputError;
 use results::checkpoint::{self, Checkpoint};
 use results::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
 use results::vtk::FieldSeries;
-use solver::device::{self, DeviceError, Driver};
+use solver::device::{DeviceError, Driver};
 use solver::grid::Grid;
 use solver::model::Model;
 use solver::precision::Precision;
@@ -26,18 +26,19 @@ const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Locks the folder for this run, if the device that it asks for is there and can run the case.
 pub(super) fn lock(case: &Case, options: &RunOptions) -> Result<Lock, RunError> {
-    match case.numerics.precision {
-        resolved::Precision::Double => require_device::<f64>(case, options)?,
-        resolved::Precision::Single => require_device::<f32>(case, options)?,
+    if let Some(why) = objection(case, options)? {
+        return Err(DeviceError(why).into());
     }
     Ok(lock_folder(options)?)
 }
 
-fn require_device<R: Precision>(case: &Case, options: &RunOptions) -> Result<(), DeviceError> {
-    match options.device.open()? {
-        Some(driver) => device::require::<R>(&model(case, R::LANES), &*driver),
-        None => Ok(()),
-    }
+/// Why the device that a run asks for cannot run a case, if it cannot.
+///
+/// # Errors
+/// [`DeviceError`] if there is no such device.
+pub(super) fn objection(case: &Case, options: &RunOptions) -> Result<Option<String>, DeviceError> {
+    let Some(driver) = options.device.open()? else { return Ok(None) };
+    Ok(on_device::require(case, &*driver).err().map(|error| error.0))
 }
 
 fn lock_folder(options: &RunOptions) -> Result<Lock, OutputError> {
@@ -172,7 +173,7 @@ fn resume<R: Precision>(
     })?;
     let fields = FieldSeries::resume(options.folder, time)?;
     let mut simulation = Simulation::resume_block(case, checkpoint, processes.into_communicator(), wall_s)?;
-    let results = on_device(&mut simulation, driver, results)?;
+    let results = strained_by(&mut simulation, driver, results)?;
     Ok(Opened { simulation, fields, results })
 }
 
@@ -190,7 +191,7 @@ fn create<R: Precision>(
     })?;
     let mut fields = FieldSeries::create(options.folder)?;
     let mut simulation = Simulation::<R>::of_block(case, processes.into_communicator())?;
-    results = on_device(&mut simulation, driver, results)?;
+    results = strained_by(&mut simulation, driver, results)?;
     if let Some(results) = &mut results {
         log_start(&simulation, results, (options, why))?;
         overlay_forecast(case, results)?;
@@ -202,7 +203,7 @@ fn create<R: Precision>(
 }
 
 /// Has a device strain the soil, if one is asked for, and says so in the log.
-fn on_device<R: Precision>(
+fn strained_by<R: Precision>(
     simulation: &mut Simulation<R>,
     driver: Option<Box<dyn Driver>>,
     mut results: Option<Results>,

@@ -208,6 +208,7 @@ impl<R: Precision> Simulation<R> {
         while !interval.is_over() {
             self.step_in(&mut interval)?;
         }
+        self.bring_home()?;
         Ok(self.end_interval(&interval))
     }
 
@@ -330,11 +331,17 @@ impl<R: Precision> Simulation<R> {
     ) -> Result<Stop, ObserverError> {
         let mut reactions = self.standing();
         let stop = loop {
-            if let Some(stop) = asked(observers, |observer| observer.between_steps(self))? {
+            if let Some(stop) = self.between_steps(observers)? {
                 break stop;
             }
             let (time, time_step) = (self.state.time, self.model.time_step());
-            match steerer.next(Exchange { time, time_step, reactions: reactions.clone() }) {
+            let wish = steerer.next(Exchange { time, time_step, reactions: reactions.clone() });
+            if matches!(wish, Wish::Ground(_) | Wish::Save)
+                && let Err(cause) = self.bring_home()
+            {
+                break Stop::BrokenDown(cause);
+            }
+            match wish {
                 Wish::Finish => break Stop::Finished,
                 Wish::Stop => break Stop::Asked("the program that steers it".to_owned()),
                 Wish::Ground(places) => steerer.ground(self.ground(&places)),
@@ -358,8 +365,7 @@ impl<R: Precision> Simulation<R> {
                 },
             }
         };
-        observers.iter_mut().try_for_each(|observer| observer.ended(self, &stop))?;
-        Ok(stop)
+        self.end(stop, observers)
     }
 
     /// Takes the steps of an interval; how the run ended, if it did.

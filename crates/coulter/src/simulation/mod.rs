@@ -401,10 +401,7 @@ impl<R: Precision> Simulation<R> {
     /// ```
     pub fn run(&mut self, observers: &mut [&mut dyn Observer<R>]) -> Result<Stop, ObserverError> {
         let stop = loop {
-            if observers.iter().any(|observer| observer.reads_fields(self)) {
-                self.bring_home();
-            }
-            if let Some(stop) = asked(observers, |observer| observer.between_steps(self))? {
+            if let Some(stop) = self.between_steps(observers)? {
                 break stop;
             }
             if self.is_done() {
@@ -420,7 +417,25 @@ impl<R: Precision> Simulation<R> {
                 }
             }
         };
-        self.bring_home();
+        self.end(stop, observers)
+    }
+
+    /// Asks the observers between two steps; how the run ended, if it did.
+    fn between_steps(
+        &mut self,
+        observers: &mut [&mut dyn Observer<R>],
+    ) -> Result<Option<Stop>, ObserverError> {
+        if observers.iter().any(|observer| observer.reads_fields(self))
+            && let Err(cause) = self.bring_home()
+        {
+            return Ok(Some(Stop::BrokenDown(cause)));
+        }
+        asked(observers, |observer| observer.between_steps(self))
+    }
+
+    /// Tells the observers that the run has ended in this way, or because its state cannot be completed.
+    fn end(&mut self, stop: Stop, observers: &mut [&mut dyn Observer<R>]) -> Result<Stop, ObserverError> {
+        let stop = self.bring_home().map_or_else(Stop::BrokenDown, |()| stop);
         observers.iter_mut().try_for_each(|observer| observer.ended(self, &stop))?;
         Ok(stop)
     }
@@ -474,7 +489,7 @@ impl<R: Precision> Simulation<R> {
         let stage_is_over = stages::time_is_over(case, history, state.time, self.model.time_step());
         let is_due = state.time >= due || self.is_done() || stage_is_over;
         if is_due {
-            self.bring_home();
+            self.bring_home()?;
             self.sample();
             let Self { case, model, state, workspace, history, .. } = self;
             if stages::proceed(case, model, state, history)? {
@@ -503,8 +518,7 @@ impl<R: Precision> Simulation<R> {
     /// [`Breakdown`] when the physics fails.
     pub fn steps(&mut self, number: u32) -> Result<(), Breakdown> {
         let stepped = (0..number).try_for_each(|_| self.step());
-        self.bring_home();
-        stepped
+        stepped.and(self.bring_home())
     }
 
     /// Has a device strain the soil from here on; changes no bit of the run.
@@ -529,9 +543,13 @@ impl<R: Precision> Simulation<R> {
     }
 
     /// Completes the state with what a device holds.
-    fn bring_home(&mut self) {
+    ///
+    /// # Errors
+    /// [`Breakdown::Device`] where that is lost.
+    fn bring_home(&mut self) -> Result<(), Breakdown> {
         let Self { state, workspace, .. } = self;
         workspace.bring_home(state, false);
+        workspace.device_works(state)
     }
 
     /// Where the time of the calling thread goes.
