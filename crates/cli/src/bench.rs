@@ -1,6 +1,6 @@
 //! `coulter bench`: how fast the solver is on this machine.
 
-use crate::common::{default_threads, say, say_json};
+use crate::common::{DeviceOption, default_threads, say, say_json};
 use crate::failure::Failure;
 use crate::processes::{self, World};
 use coulter::bench::{self, Network, Options, RankError, RankMeasurement, TOWED_DISC};
@@ -8,7 +8,6 @@ use coulter::case::{self, cores};
 use coulter::run::Device;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
-use std::str::FromStr;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -26,13 +25,11 @@ pub(super) struct Arguments {
     /// Steps to measure
     #[arg(long, value_name = "N", default_value_t = 1500, value_parser = clap::value_parser!(u32).range(1..))]
     steps: u32,
-    /// Measure the same steps on this device (gpu, gpu:1, stand-in) and on the processor, and compare all
-    /// bits
-    #[arg(long, value_name = "DEVICE", conflicts_with = "ranks", value_parser = Device::from_str)]
-    device: Option<Device>,
+    #[command(flatten)]
+    on: DeviceOption,
     /// Measure in these numbers of MPI processes, each with one thread unless --threads says otherwise, and
     /// predict more
-    #[arg(long, value_name = "N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N,N", conflicts_with = "device", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     ranks: Vec<u16>,
     /// How processes are started; their number follows
     #[arg(long, value_name = "COMMAND", default_value = "mpirun -n")]
@@ -65,6 +62,10 @@ fn bench_in(arguments: &Arguments, world: &World) -> Result<(), Failure> {
     let is_rank = world.size() > 1 || arguments.as_rank;
     let options = options(arguments, is_rank || !arguments.ranks.is_empty())?;
     if is_rank {
+        if arguments.on.device != Device::Processor {
+            let why = "--device measures one process; leave out mpirun";
+            return Err(Failure::Request(why.to_owned()));
+        }
         let measured = as_rank(&options)?;
         return if world.is_first() { say_scaling(arguments, vec![measured]) } else { Ok(()) };
     }
@@ -73,8 +74,8 @@ fn bench_in(arguments: &Arguments, world: &World) -> Result<(), Failure> {
         let measured = counts.map(|ranks| on_ranks(arguments, &options, *ranks)).collect::<Result<_, _>>()?;
         return say_scaling(arguments, measured);
     }
-    if let Some(device) = arguments.device {
-        let measured = bench::measure_on_device(&options, device)
+    if arguments.on.device != Device::Processor {
+        let measured = bench::measure_on_device(&options, arguments.on.device)
             .map_err(|error| Failure::Request(error.to_string()))?;
         return if arguments.json { say_json(&measured) } else { say(&bench::device_table(&measured)) };
     }

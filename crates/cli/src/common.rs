@@ -6,12 +6,28 @@ use coulter::case::cores;
 use coulter::case::quantity::{TIME, parse};
 use coulter::confidence::variations::{Asked, ErrorSource, MESHES};
 use coulter::printed::plain;
-use coulter::run::Budget;
+use coulter::run::{Budget, Device, RunError};
 use std::fmt::Display;
 use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::Path;
+use std::str::FromStr;
 use studies::measured::ColumnChoice;
+
+/// The option that says what strains the soil.
+#[derive(Clone, Copy, Debug, clap::Args)]
+#[group(skip)]
+pub(super) struct DeviceOption {
+    /// What strains the soil: cpu, gpu (a graphics card of NVIDIA, which cases share; gpu:1 for the second)
+    /// or stand-in (the kernels of the card on the processor, for comparison); all give the same bits
+    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
+    pub(super) device: Device,
+}
+
+/// Refuses a device that is not there, before anything is written.
+pub(super) fn require_device(device: Device) -> Result<(), Failure> {
+    device.open().map(drop).map_err(|error| Failure::Request(RunError::Device(error).to_string()))
+}
 
 /// The allowed numbers of threads.
 pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {

@@ -83,7 +83,8 @@ enum Command {
     ExportFields(export_fields::Arguments),
     /// Runs the verification suite: expected, obtained, error
     Verify(verify::Arguments),
-    /// Measures the speed of the solver on this machine, by stage
+    /// Measures the speed of the solver on this machine, by stage; with --device also whether all bits are
+    /// those of the processor
     Bench(bench::Arguments),
     /// Rebuilds report.html from results
     Report(report::Arguments),

@@ -1,6 +1,6 @@
 //! `coulter calibrate`: soil and contact parameters from measured curves.
 
-use crate::common::{default_threads, refuse_file, say, say_json};
+use crate::common::{default_threads, refuse_file, require_device, say, say_json};
 use crate::failure::Failure;
 use crate::signals;
 use coulter::case;
@@ -24,6 +24,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let interrupts = signals::listen();
     let folder = arguments.output.clone().unwrap_or_else(|| default_folder(&arguments.case));
     refuse_file(&folder)?;
+    require_device(arguments.on.device)?;
     let runs = files::folder(&Inside::of(&folder, "runs"));
     let runs = runs.map_err(|error| Failure::Request(error.to_string()))?;
     let request = arguments.request(&runs)?;

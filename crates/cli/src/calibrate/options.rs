@@ -1,6 +1,6 @@
 //! What `coulter calibrate` is asked for, from the words of the command line.
 
-use crate::common::choices;
+use crate::common::{DeviceOption, choices};
 use crate::failure::Failure;
 use coulter::case::{self, quantity};
 use std::path::{Path, PathBuf};
@@ -63,6 +63,8 @@ pub(crate) struct Arguments {
     /// Threads of a run; 0 for as many as a run has by default (`coulter run --help`)
     #[arg(long, value_name = "N", value_parser = crate::common::threads())]
     threads: Option<u16>,
+    #[command(flatten)]
+    pub(super) on: DeviceOption,
     /// Sets a key of the case; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) overrides: Vec<String>,
@@ -131,6 +133,7 @@ impl Arguments {
             plan: Plan { budget: self.budget, design, ranges: Vec::new() },
             narrow: self.narrow,
             threads: self.threads.map(usize::from),
+            device: self.on.device,
             folder: runs,
         })
     }

@@ -4,23 +4,20 @@ mod cost;
 mod describe;
 mod variation_cost;
 
-use crate::common::{say, say_json};
+use crate::common::{DeviceOption, say, say_json};
 use crate::failure::Failure;
 use crate::run_time;
 use cost::describe_cost;
 use coulter::case::estimate::{self, Cost};
-use coulter::case::model::model;
-use coulter::case::resolved::Precision;
 use coulter::case::{self, Case, machine, resources};
 use coulter::confidence::variations::{Asked, variations};
 use coulter::formats;
 use coulter::history::reference::Groups;
+use coulter::run::{Device, on_device};
 use describe::describe;
 pub(super) use describe::describe_soil;
-use solver::device::{self, Device, Driver};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use variation_cost::VariationCosts;
 
 #[derive(Debug, clap::Args)]
@@ -33,9 +30,8 @@ pub(super) struct Arguments {
     /// Take soil under water for drained, whatever its drainage number
     #[arg(long)]
     accept_drained: bool,
-    /// Also show what the case takes on a graphics card (gpu, or gpu:1 for the second), and whether it fits
-    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
-    device: Device,
+    #[command(flatten)]
+    on: DeviceOption,
     /// Also show the meshes that `coulter run --meshes N` would run, and what they cost together
     #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
     meshes: Option<usize>,
@@ -71,13 +67,17 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
             "The run would take some {time} on this machine: larger cells, a shorter run or softer soil take less."
         ));
     }
+    let on_device = said_of_device(&case, arguments.on.device);
     if arguments.json {
-        let document = document(&case, &cost, seconds, &warnings);
+        let mut document = document(&case, &cost, seconds, &warnings);
+        if let Some(on_device) = on_device {
+            document["device"] = serde_json::json!(on_device);
+        }
         return as_json(document, variations.as_ref());
     }
     let mut text = described(&case, &cost, seconds);
-    if arguments.device != Device::Processor {
-        let _ = writeln!(text, "device   {}", on_device(&case, arguments.device));
+    if let Some(OnDevice { memory_bytes, says, .. }) = on_device {
+        let _ = writeln!(text, "device   {} of its memory; {says}", resources::format_bytes(memory_bytes));
     }
     // Writing to a string cannot fail.
     let _ = variations.iter().try_for_each(|costs| costs.describe(&mut text));
@@ -91,25 +91,22 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// What a case takes on a device, and whether that can run it.
-fn on_device(case: &Case, device: Device) -> String {
-    let opened = device.open();
-    let required = |driver: &dyn Driver| match case.numerics.precision {
-        Precision::Double => device::require::<f64>(&model(case, 1), driver),
-        Precision::Single => device::require::<f32>(&model(case, 1), driver),
+#[derive(Debug, serde::Serialize)]
+struct OnDevice {
+    memory_bytes: f64,
+    runs: bool,
+    says: String,
+}
+
+fn said_of_device(case: &Case, device: Device) -> Option<OnDevice> {
+    let opened = device.open().transpose()?;
+    let verdict =
+        opened.and_then(|driver| on_device::require(case, &*driver).map(|()| driver.name().to_owned()));
+    let says = match &verdict {
+        Ok(name) => format!("it runs on {name}"),
+        Err(why) => format!("it does not run: {why}"),
     };
-    let needed = match case.numerics.precision {
-        Precision::Double => device::footprint::<f64>(&model(case, 1)),
-        Precision::Single => device::footprint::<f32>(&model(case, 1)),
-    };
-    let verdict = match opened {
-        Ok(None) => String::new(),
-        Ok(Some(driver)) => match required(&*driver) {
-            Ok(()) => format!("it runs on {}", driver.name()),
-            Err(why) => format!("it does not run: {why}"),
-        },
-        Err(why) => why.to_string(),
-    };
-    format!("{} of its memory; {verdict}", resources::format_bytes(needed))
+    Some(OnDevice { memory_bytes: on_device::footprint(case), runs: verdict.is_ok(), says })
 }
 
 /// A case as understood and what it costs, in words; without the time that it takes, which would have to be

@@ -2,7 +2,7 @@
 
 mod request;
 
-use crate::common::{say_json, warn};
+use crate::common::{DeviceOption, say_json, warn};
 use crate::failure::Failure;
 use crate::processes::World;
 use crate::signals;
@@ -11,9 +11,7 @@ use coulter::case;
 use coulter::confidence::Wanted;
 use coulter::confidence::variations::ErrorSource;
 use coulter::run::{Accuracy, Budget, NoFollower, Start};
-use solver::device::Device;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 pub use request::{PreparedRun, RunRequest, graded};
 
@@ -33,10 +31,8 @@ pub(super) struct Arguments {
     /// on one machine share its cores)
     #[arg(long, value_name = "N", value_parser = crate::common::threads())]
     threads: Option<u16>,
-    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA (gpu:1 for the second), or stand-in, the
-    /// kernels of the card on the processor, for comparison; all give the same bits
-    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
-    device: Device,
+    #[command(flatten)]
+    on: DeviceOption,
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
@@ -94,7 +90,7 @@ impl Arguments {
                 without: self.without.clone(),
             }),
             quiet: self.json,
-            device: self.device,
+            device: self.on.device,
         })
     }
 

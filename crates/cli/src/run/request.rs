@@ -8,10 +8,9 @@ use coulter::case::{self, Case, cores};
 use coulter::confidence::variations::{Asked, ErrorSource, MESHES, VariationPlan, variations};
 use coulter::interrupts::Interrupts;
 use coulter::output::{OutputError, Summary, checkpoint};
-use coulter::run::{self, Accuracy, Budget, End, Follower, Request, RunError, RunOptions, Start};
+use coulter::run::{self, Accuracy, Budget, Device, End, Follower, Request, RunError, RunOptions, Start};
 use coulter::simulation::Steerer;
 use coulter::trust::Verdict;
-use solver::device::Device;
 use std::path::PathBuf;
 
 /// What is to be run, and how.
@@ -184,6 +183,10 @@ impl PreparedRun {
             Err(error @ (RunError::Physics { .. } | RunError::BrokeDownBefore { .. })) => {
                 Err(Failure::Physics(error.to_string()))
             }
+            Err(error @ RunError::Lost(_)) => Err(Failure::Request(format!(
+                "{error}\n{}--resume continues from the last checkpoint, without --device on the processor",
+                self.option
+            ))),
             Err(RunError::Case(error)) => Err(error.into()),
             Err(RunError::Elsewhere) => Err(Failure::Elsewhere(2)),
             Err(error) => Err(refusal(&error, options)),

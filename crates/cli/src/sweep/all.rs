@@ -5,11 +5,9 @@ use super::expand::summary;
 use super::run::{pooled, shared, stopped};
 use super::source::Source;
 use super::study::pool_of;
-use crate::common::say;
+use crate::common::{DeviceOption, require_device, say};
 use crate::failure::Failure;
 use crate::signals;
-use coulter::run::Device;
-use std::str::FromStr;
 
 #[derive(Debug, clap::Args)]
 #[group(id = "whole study")] // a name of its own beside that of the steps, which a build with checks demands
@@ -22,22 +20,21 @@ pub(super) struct Arguments {
     /// Threads of each run of the solver [default: those of the study, usually 1]
     #[arg(long, value_name = "N", value_parser = crate::common::study_threads())]
     threads: Option<u16>,
-    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA, which the cases share, gpu:1 for the
-    /// second
-    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
-    device: Device,
+    #[command(flatten)]
+    on: DeviceOption,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
 }
 
 pub(super) fn all(arguments: &Arguments) -> Result<(), Failure> {
+    require_device(arguments.on.device)?;
     let expanded = arguments.source.expanded()?;
     if !arguments.json {
         say(&summary(&expanded))?;
     }
     let pool = pool_of(&expanded.study, arguments.workers, arguments.threads);
-    let shared = shared(&expanded.store, pool.threads, arguments.device, signals::listen())?;
+    let shared = shared(&expanded.store, pool.threads, arguments.on.device, signals::listen())?;
     let end = pooled(&shared, &expanded.lines, &pool, arguments.json);
     if let Some(signal) = end.stopped {
         return Err(stopped(signal));

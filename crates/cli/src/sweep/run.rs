@@ -2,14 +2,13 @@
 
 use super::folder::{opened, refused};
 use super::teller::{Teller, told};
-use crate::common::{say, warn};
+use crate::common::{DeviceOption, require_device, say, warn};
 use crate::failure::Failure;
 use crate::signals;
 use coulter::case::cores;
 use coulter::interrupts::Interrupts;
 use coulter::run::Device;
 use std::path::PathBuf;
-use std::str::FromStr;
 use studies::study::Pool;
 use studies::sweep::evaluate::{Shared, Unended, evaluate};
 use studies::sweep::line::CaseLine;
@@ -30,15 +29,14 @@ pub(super) struct Arguments {
     /// Without --id: cases that run at the same time [default: as many as cores and memory allow]
     #[arg(long, value_name = "N", value_parser = crate::common::workers())]
     workers: Option<u16>,
-    /// What strains the soil: cpu, gpu for a graphics card of NVIDIA, which the cases share, gpu:1 for the
-    /// second
-    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = Device::from_str)]
-    device: Device,
+    #[command(flatten)]
+    on: DeviceOption,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    require_device(arguments.on.device)?;
     let threads = usize::from(arguments.threads);
-    let shared = shared(&opened(&arguments.study)?, threads, arguments.device, signals::listen())?;
+    let shared = shared(&opened(&arguments.study)?, threads, arguments.on.device, signals::listen())?;
     if !arguments.ids.is_empty() {
         return some(&shared, &arguments.ids);
     }

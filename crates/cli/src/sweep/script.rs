@@ -1,7 +1,7 @@
 //! `coulter sweep script`: a study for other engines.
 
 use super::folder::{opened, refused};
-use crate::common::say;
+use crate::common::{DeviceOption, say};
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use studies::sweep::script::{self, ENGINES, Wish};
@@ -19,6 +19,8 @@ pub(super) struct Arguments {
     /// Threads of each run of the solver
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = crate::common::study_threads())]
     threads: u16,
+    #[command(flatten)]
+    on: DeviceOption,
     /// The coulter command on the machines of the engine [default: that of this command]
     #[arg(long, value_name = "PATH")]
     command: Option<String>,
@@ -32,6 +34,7 @@ pub(super) fn script(program: &Path, arguments: &Arguments) -> Result<(), Failur
         engine: arguments.engine.clone(),
         chunk: arguments.chunk as usize,
         threads: usize::from(arguments.threads),
+        device: arguments.on.device,
         command: arguments.command.clone().unwrap_or_else(own),
     };
     say(&script::script(&store, &lines, &wish).map_err(Failure::Request)?)

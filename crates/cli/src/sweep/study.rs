@@ -2,7 +2,7 @@
 
 use super::folder::{expanded, refused};
 use super::run::{shared, stopped};
-use crate::common::{STUDY_THREADS, WORKERS, require_range};
+use crate::common::{STUDY_THREADS, WORKERS, require_device, require_range};
 use crate::failure::Failure;
 use coulter::interrupts::Interrupts;
 use coulter::run::Device;
@@ -25,6 +25,8 @@ pub struct SweepRequest {
     pub workers: Option<u16>,
     /// Threads of each run of the solver; by default those of the study.
     pub threads: Option<u16>,
+    /// What strains the soil.
+    pub device: Device,
 }
 
 /// A study that has been run and collected.
@@ -48,9 +50,10 @@ pub fn sweep_study(
 ) -> Result<SweptStudy, Failure> {
     require_range("workers", request.workers, WORKERS)?;
     require_range("threads", request.threads, STUDY_THREADS)?;
+    require_device(request.device)?;
     let expanded = expanded(&request.study, request.quick, request.output.as_deref())?;
     let pool = pool_of(&expanded.study, request.workers, request.threads);
-    let shared = shared(&expanded.store, pool.threads, Device::Processor, interrupts.clone())?;
+    let shared = shared(&expanded.store, pool.threads, request.device, interrupts.clone())?;
     if let Some(signal) = pool::run(&shared, &expanded.lines, &pool, watcher).stopped {
         return Err(stopped(signal));
     }

@@ -13,6 +13,7 @@ use crate::measured::{Quantity, Record, settle_force};
 use crate::sources::{Along, ClosedForm, LeftOut};
 use coulter::case::{self, CaseError};
 use coulter::interrupts::Interrupts;
+use coulter::run::Device;
 use std::path::Path;
 use xxhash_rust::xxh3::xxh3_64;
 
@@ -56,6 +57,8 @@ pub struct Request<'a> {
     pub narrow: bool,
     /// Threads of a run.
     pub threads: Option<usize>,
+    /// What strains the soil of a run.
+    pub device: Device,
     /// Where the runs lie.
     pub folder: &'a Path,
 }
@@ -172,6 +175,7 @@ pub fn calibrate(
         curves: &curves,
         folder: request.folder,
         threads: request.threads,
+        device: request.device,
         interrupts,
     };
     let stage = calibrate_solver(&solver, &likelihood, (&plan, request.effort), tell);

@@ -11,7 +11,7 @@ use crate::sources::{RunSource, local_means, read_run, rising};
 use coulter::case::{self, Case, CaseError};
 use coulter::interrupts::Interrupts;
 use coulter::output::Inside;
-use coulter::run::{self, End, RunError, RunOptions, Start};
+use coulter::run::{self, Device, End, RunError, RunOptions, Start};
 use coulter::trust::Verdict;
 use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::xxh3_64;
@@ -71,6 +71,8 @@ pub struct Solver<'a> {
     pub folder: &'a Path,
     /// Threads of a run; `None` for what the case says.
     pub threads: Option<usize>,
+    /// What strains the soil.
+    pub device: Device,
     /// Requests to stop.
     pub interrupts: &'a Interrupts,
 }
@@ -163,7 +165,10 @@ impl Solver<'_> {
         let folder = folder.map_err(|error| SolverError::Other(error.to_string()))?;
         point.folders.push(folder.clone());
         let path = self.case.display().to_string();
-        let options = RunOptions::quiet(&folder, Start::AutoResume, &typed, &path, self.interrupts);
+        let options = RunOptions {
+            device: self.device,
+            ..RunOptions::quiet(&folder, Start::AutoResume, &typed, &path, self.interrupts)
+        };
         match run::run(&case, &options) {
             Ok(End::Finished(summary)) => {
                 let verdict = summary.trust.verdict;

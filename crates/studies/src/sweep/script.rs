@@ -8,6 +8,7 @@ use super::quote::{for_python, for_shell, for_snakemake};
 use super::store::Store;
 use crate::study::ModelKind;
 use coulter::printed::is_hidden;
+use coulter::run::Device;
 use std::collections::BTreeSet;
 
 /// The engines, by their names on the command line.
@@ -22,6 +23,8 @@ pub struct Wish {
     pub chunk: usize,
     /// Threads of each run of the solver.
     pub threads: usize,
+    /// What strains the soil.
+    pub device: Device,
     /// The `coulter` command.
     pub command: String,
 }
@@ -52,12 +55,27 @@ struct Command {
     program: String,
     folder: String,
     threads: usize,
+    /// Threads and device, as options.
+    options: String,
+    /// Graphics cards that a job must see to find its own, which it counts from 0.
+    cards: u32,
 }
 
 impl Command {
     fn text(&self) -> String {
-        format!("{} sweep run {} --threads {}", self.program, self.folder, self.threads)
+        format!("{} sweep run {} {}", self.program, self.folder, self.options)
     }
+}
+
+/// Threads and device, as options of `coulter sweep run`.
+fn options(wish: &Wish) -> String {
+    let device = match wish.device {
+        Device::Processor => String::new(),
+        Device::Gpu(0) => " --device gpu".to_owned(),
+        Device::Gpu(number) => format!(" --device gpu:{number}"),
+        Device::StandIn => " --device stand-in".to_owned(),
+    };
+    format!("--threads {}{device}", wish.threads)
 }
 
 /// The script of an engine, and what to do with it.
@@ -74,8 +92,13 @@ pub fn script(store: &Store, lines: &[CaseLine], wish: &Wish) -> Result<String, 
     if let Some(word) = [folder, &wish.command].into_iter().find(|word| word.contains(is_hidden)) {
         return Err(format!("{word}: a control character stands in this name; rename it"));
     }
-    let command =
-        Command { program: for_shell(&wish.command), folder: for_shell(folder), threads: wish.threads };
+    let command = Command {
+        program: for_shell(&wish.command),
+        folder: for_shell(folder),
+        threads: wish.threads,
+        options: options(wish),
+        cards: if let Device::Gpu(number) = wish.device { number.saturating_add(1) } else { 0 },
+    };
     if ids.is_empty() && wish.engine != "ids" {
         let collect = format!("{} sweep collect {}", command.program, command.folder);
         return Err(format!("no case is left to run; `{collect}` writes tables, charts and the page"));
@@ -99,14 +122,14 @@ fn listed(groups: &[String]) -> String {
 }
 
 fn parallel(command: &Command, groups: &[String]) -> String {
-    let Command { program, folder, threads } = command;
+    let Command { program, folder, options, .. } = command;
     let ids = listed(groups);
     // Parallel gives what it runs to a shell once more (-q quotes it for that), and replaces words in braces
     // wherever they stand.
     let (before, run) = if [program, folder].iter().any(|word| word.contains('{')) {
         (
             format!("COULTER={program}\nSTUDY={folder}\nexport COULTER STUDY\n"),
-            format!("sh -c 'exec \"$COULTER\" sweep run \"$STUDY\" --threads {threads} --id \"$1\"' sh {{}}"),
+            format!("sh -c 'exec \"$COULTER\" sweep run \"$STUDY\" {options} --id \"$1\"' sh {{}}"),
         )
     } else {
         (String::new(), format!("{} --id {{}}", command.text()))
@@ -121,6 +144,10 @@ fn parallel(command: &Command, groups: &[String]) -> String {
 
 fn slurm(command: &Command, groups: &[String], megabytes: f64) -> String {
     let last = groups.len().saturating_sub(1);
+    let cards = match command.cards {
+        0 => String::new(),
+        cards => format!("#SBATCH --gres=gpu:{cards}\n"),
+    };
     format!(
         "#!/bin/bash\n\
          # A job array of SLURM, one task for every line of ids: sbatch study.slurm\n\
@@ -130,6 +157,7 @@ fn slurm(command: &Command, groups: &[String], megabytes: f64) -> String {
          #SBATCH --ntasks=1\n\
          #SBATCH --cpus-per-task={}\n\
          #SBATCH --mem={megabytes}M\n\
+         {cards}\
          #SBATCH --time=24:00:00\n\
          #SBATCH --signal=B:TERM@60\n\
          #SBATCH --requeue\n\
@@ -144,7 +172,7 @@ fn slurm(command: &Command, groups: &[String], megabytes: f64) -> String {
 }
 
 fn hyperqueue(command: &Command, groups: &[String]) -> String {
-    let Command { program, folder, threads } = command;
+    let Command { program, folder, threads, options, .. } = command;
     // The inner shell gets program and folder as its words $0 and $1: nothing is quoted within quotes.
     format!(
         "#!/bin/sh\n\
@@ -154,7 +182,7 @@ fn hyperqueue(command: &Command, groups: &[String]) -> String {
          trap 'rm -f \"$list\"' EXIT\n\
          cat > \"$list\" <<'IDS'\n{}IDS\n\
          hq submit --name coulter --cpus {threads} --each-line \"$list\" --crash-limit 5 --stdout none --stderr none -- \\\n\
-         \x20   sh -c 'exec \"$0\" sweep run \"$1\" --threads {threads} --id \"$HQ_ENTRY\"' {program} {folder}\n",
+         \x20   sh -c 'exec \"$0\" sweep run \"$1\" {options} --id \"$HQ_ENTRY\"' {program} {folder}\n",
         listed(groups)
     )
 }

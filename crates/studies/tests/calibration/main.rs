@@ -6,6 +6,7 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::interrupts::Interrupts;
+use coulter::run::Device;
 use numerics::Draws;
 use std::path::{Path, PathBuf};
 use studies::calibration::{
@@ -73,6 +74,7 @@ fn request<'a>(kind: &'a Kind, records: Vec<Record>, seed: u64) -> Request<'a> {
         plan: Plan::default(),
         narrow: false,
         threads: None,
+        device: Device::Processor,
         folder: Path::new("unused"),
     }
 }
