@@ -3,11 +3,10 @@
 use crate::attend::{ask_to_stop, attend};
 use crate::failure::{raised, refused};
 use crate::follow::{Asking, told};
-use crate::source::{Source, SourceText, count, request};
+use crate::source::{Source, SourceText, count, device, request};
 use coulter::confidence::Wanted;
 use coulter::confidence::variations::ErrorSource;
 use coulter::interrupts::Interrupts;
-use coulter::run::Device;
 use coulter::run::{Accuracy, Follower, NoFollower, Start};
 use coulter_cli::{Failure, PreparedRun, RunRequest, asked, budget, error_source, graded};
 use pyo3::prelude::*;
@@ -22,6 +21,7 @@ struct RunCall {
     output: Option<PathBuf>,
     start: String,
     threads: Option<i64>,
+    device: String,
     meshes: Option<i64>,
     confidence: bool,
     accuracy: Option<String>,
@@ -64,7 +64,7 @@ impl RunCall {
             variations,
             accuracy: accuracy.map(|wanted| Accuracy { wanted, budget: budget.unwrap_or_default(), without }),
             quiet: self.quiet,
-            device: Device::Processor,
+            device: device(&self.device)?,
         })
     }
 }

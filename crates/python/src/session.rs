@@ -4,10 +4,9 @@
 use crate::attend::ask_to_stop;
 use crate::failure::{internal, raised, refused};
 use crate::run::start;
-use crate::source::{Source, SourceText, count, request};
+use crate::source::{Source, SourceText, count, device, request};
 use coulter::interrupts::Interrupts;
 use coulter::mechanics::{Mobility, Pose, Twist, Wrench};
-use coulter::run::Device;
 use coulter::session::{Said, Session as Line};
 use coulter::simulation::{Command, Coupled, Exchange, Reaction, Wish};
 use coulter_cli::{Failure, PreparedRun, RunRequest, graded};
@@ -29,6 +28,7 @@ struct SessionCall {
     output: Option<PathBuf>,
     start: String,
     threads: Option<i64>,
+    device: String,
 }
 
 /// How a body moves until the next exchange, as the Python part writes it; quaternions begin with their real
@@ -107,7 +107,7 @@ impl Session {
     /// Begins a run, or goes on with one. `warn(text)` gets the warnings before it begins.
     #[new]
     fn new(py: Python<'_>, call: &str, warn: Bound<'_, PyAny>) -> PyResult<Self> {
-        let SessionCall { source, set, output, start: word, threads } = request(call)?;
+        let SessionCall { source, set, output, start: word, threads, device: strained_by } = request(call)?;
         let SourceText { text, name } = source.text()?;
         let wanted = RunRequest {
             text,
@@ -119,7 +119,7 @@ impl Session {
             variations: None,
             accuracy: None,
             quiet: true,
-            device: Device::Processor,
+            device: device(&strained_by)?,
         };
         let prepared = py.detach(|| wanted.prepare()).map_err(|failure| raised(&failure))?;
         for warning in &prepared.warnings {

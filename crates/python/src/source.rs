@@ -2,6 +2,7 @@
 
 use crate::failure::{refused, wrong_case};
 use coulter::case;
+use coulter::run::Device;
 use pyo3::PyResult;
 use serde::Deserialize;
 use serde_json::Value;
@@ -51,6 +52,11 @@ impl Source {
 /// Reads a request, which the Python part has written.
 pub(crate) fn request<'a, T: Deserialize<'a>>(text: &'a str) -> PyResult<T> {
     serde_json::from_str(text).map_err(|why| refused(format!("the request cannot be read: {why}")))
+}
+
+/// What strains the soil, by its word on the command line.
+pub(crate) fn device(word: &str) -> PyResult<Device> {
+    word.parse().map_err(|why| refused(format!("device: {why}")))
 }
 
 /// A number of threads, meshes or workers. What is allowed of each is checked where it is used.

@@ -2,7 +2,7 @@
 
 use crate::attend::{Question, ask_to_stop, attend};
 use crate::failure::raised;
-use crate::source::{count, request};
+use crate::source::{count, device, request};
 use coulter::interrupts::Interrupts;
 use coulter_cli::{SweepRequest, sweep_study};
 use pyo3::prelude::*;
@@ -24,6 +24,7 @@ struct SweepCall {
     output: Option<PathBuf>,
     workers: Option<i64>,
     threads: Option<i64>,
+    device: String,
 }
 
 /// A case that has ended: number of its point, its id, its state, the reason.
@@ -67,9 +68,10 @@ pub(crate) fn sweep(
     call: &str,
     on_case: Option<Bound<'_, PyAny>>,
 ) -> PyResult<(PathBuf, String)> {
-    let SweepCall { study, quick, output, workers, threads } = request(call)?;
+    let SweepCall { study, quick, output, workers, threads, device: strained_by } = request(call)?;
     let (workers, threads) = (count("workers", workers)?, count("threads", threads)?);
-    let wanted = SweepRequest { study, quick, output, workers, threads };
+    let device = device(&strained_by)?;
+    let wanted = SweepRequest { study, quick, output, workers, threads, device };
     let interrupts = Interrupts::default();
     let is_followed = on_case.is_some();
     let swept = attend(

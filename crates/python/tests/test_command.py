@@ -111,6 +111,8 @@ def test_a_study_of_runs(in_folder: Path) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         study = coulter.sweep("study.toml", workers=2)
+        there = coulter.sweep("study.toml", output="there", workers=2, device="stand-in")
+    assert (study.folder / "table.csv").read_bytes() == (there.folder / "table.csv").read_bytes()
     run = study.run(str(study.table["id"][0]))
     assert run.steady()["drag"].value == study.table["drag"][0]
 

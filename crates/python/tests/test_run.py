@@ -46,6 +46,12 @@ def test_a_run_has_the_bytes_of_the_shells(tow: Path, in_folder: Path) -> None:
     assert set(samples[0]) == set(forces)
 
 
+def test_a_device_changes_no_bit(tow: Path, in_folder: Path) -> None:
+    result = coulter.run(DISC, set=SHORT, output="there", threads=1, device="stand-in")
+    same_tables(tow, result.folder)
+    assert "in place of a graphics card" in (result.folder / "run.log").read_text(encoding="utf-8")
+
+
 def test_a_run_that_a_callback_stops_goes_on_to_the_same_end(tow: Path, in_folder: Path) -> None:
     seen: list[float] = []
 
@@ -161,6 +167,12 @@ def test_wrong_arguments_are_refused(in_folder: Path) -> None:
         coulter.run(DISC, threads=9999)
     with pytest.raises(coulter.RequestError, match="threads = -1"):
         coulter.run(DISC, threads=-1)
+    for start in (coulter.run, coulter.Simulation, coulter.sweep):
+        with pytest.raises(coulter.RequestError, match="device: `card` is no device: cpu, gpu"):
+            start(DISC, device="card")
+        # No machine has so many cards.
+        with pytest.raises(coulter.RequestError, match="^device: "):
+            start(DISC, device="gpu:4000000000")
     Path("file").write_text("", encoding="utf-8")
     with pytest.raises(coulter.RequestError, match="is a file"):
         coulter.run(DISC, output="file")

@@ -23,8 +23,9 @@ STEERED = {
 }
 
 
-def test_own_motions_have_the_bytes_of_a_run(tow: Path, in_folder: Path) -> None:
-    with coulter.Simulation(DISC, set=SHORT, output="stepped", threads=1) as simulation:
+@pytest.mark.parametrize("device", ["cpu", "stand-in"])
+def test_own_motions_have_the_bytes_of_a_run(device: str, tow: Path, in_folder: Path) -> None:
+    with coulter.Simulation(DISC, set=SHORT, output="stepped", threads=1, device=device) as simulation:
         step = simulation.time_step
         for _ in range(round(coulter.open_result(tow).forces["time"][-1] / step)):
             simulation.step_until(simulation.time + step)

@@ -61,6 +61,7 @@ _OPTIONS = {
     "--confidence --resume": 'confidence=True, start="resume"',
     "--resume": 'start="resume"',
     "-o DIR": "output=DIR",
+    "--device": "device",
 }
 
 

@@ -82,6 +82,7 @@ def run(
     output: str | os.PathLike[str] | None = None,
     start: Start = "new",
     threads: int | None = None,
+    device: str = "cpu",
     meshes: int | None = None,
     confidence: bool = False,
     accuracy: str | None = None,
@@ -102,6 +103,8 @@ def run(
         start: ``new`` refuses a folder that holds a run; ``replace`` starts again; ``resume`` continues from the last checkpoint;
             ``auto-resume`` starts, continues, or leaves a finished run as it is.
         threads: threads of the solver, 0 for as many as ``coulter run`` has by default; by default those of the case. They change no bit of the results.
+        device: what strains the soil: ``cpu``; ``gpu``, a graphics card of NVIDIA (``gpu:1`` for the second); ``stand-in``, the kernels
+            of the card on the processor, for comparison. It changes no bit of the results.
         meshes: run the case on so many meshes, to get intervals.
         confidence: run variations of the case as well, to get one 90 % interval for each force and sinkage.
         accuracy: choose the cells, so that the 90 % intervals become as narrow as wanted: ``"5 %"``, or ``"drag 5 %, sinkage 8 %"``.
@@ -118,7 +121,8 @@ def run(
 
     Raises:
         CaseError: the case is wrong; with file, line and cure.
-        RequestError: the request is wrong: the folder holds another run, a file cannot be written.
+        RequestError: the request is wrong: the folder holds another run, a file cannot be written, there is no such device; or the
+            device was lost.
         BrokenRun: the physics failed, or the result is graded broken; its ``result`` shows what was written.
     """
     if on_sample is not None and (meshes is not None or confidence or accuracy is not None):
@@ -133,6 +137,7 @@ def run(
         "output": None if output is None else os.fspath(output),
         "start": start,
         "threads": threads,
+        "device": device,
         "meshes": meshes,
         "confidence": confidence,
         "accuracy": accuracy,

@@ -136,6 +136,7 @@ class Simulation:
         output: str | os.PathLike[str] | None = None,
         start: Literal["new", "replace", "resume"] = "new",
         threads: int | None = None,
+        device: str = "cpu",
     ) -> None:
         """Begins a run, or goes on with one from its last checkpoint.
 
@@ -145,6 +146,7 @@ class Simulation:
             output: results folder; ``results/NAME`` by default.
             start: ``new`` refuses a folder that holds a run; ``replace`` starts again; ``resume`` continues from the last checkpoint.
             threads: threads of the solver, as of :func:`coulter.run`.
+            device: what strains the soil, as of :func:`coulter.run`.
 
         Raises:
             CaseError: the case is wrong; with file, line and cure.
@@ -156,6 +158,7 @@ class Simulation:
             "output": None if output is None else os.fspath(output),
             "start": start,
             "threads": threads,
+            "device": device,
         }
         if start not in ("new", "replace", "resume"):
             raise RequestError(f'start = "{start}": it must be "new", "replace" or "resume"')

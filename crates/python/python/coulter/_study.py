@@ -75,6 +75,7 @@ def sweep(
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     threads: int | None = None,
+    device: str = "cpu",
     on_case: Callable[[int, str, str, str], object] | None = None,
 ) -> Study:
     """Runs what is left of a study and collects it, as ``coulter sweep`` does, in the same folder: either goes on with what the other left.
@@ -88,6 +89,7 @@ def sweep(
         output: folder of the study; by default ``results/NAME``, of the quick version ``results/NAME_quick``.
         workers: cases that run at the same time; by default those of the study, or as many as cores and memory allow.
         threads: threads of each run of the solver; by default those of the study.
+        device: what strains the soil, as of :func:`run`; cases that run at the same time share a card.
         on_case: called in this thread with point, id, state (``done``, ``broken``, ``refused``, ``failed``) and reason of every case
             that ends. An exception stops the study and is raised.
 
@@ -101,6 +103,7 @@ def sweep(
         "output": None if output is None else os.fspath(output),
         "workers": workers,
         "threads": threads,
+        "device": device,
     }
     with translated():
         folder, text = _native.sweep(json.dumps(call), on_case)
