@@ -24,6 +24,7 @@ pub struct Sweep<'a> {
 
 impl Sweep<'_> {
     /// 0-based layers along y and z of a row of cells, if it is active.
+    #[inline(always)]
     fn layers(&self, row: usize) -> Option<[usize; 2]> {
         self.layout.layers_of_row(row).filter(|_| self.row_active[row])
     }
@@ -195,11 +196,13 @@ impl Sweep<'_> {
     }
 
     /// A part of a row of cells with its neighbours, if it is active.
+    #[inline(always)]
     fn active(&self, part: Part) -> Option<Row> {
         self.layers(part.start / self.layout.stride[1]).map(|_| Row::new(self, part))
     }
 
     /// A part of a row of nodes with its neighbours, if it is one.
+    #[inline(always)]
     fn of_nodes(&self, part: Part) -> Option<Row> {
         let [q, _] = self.layout.row_and_plane(part.start / self.layout.stride[1]);
         (1..=self.layout.cells[1] + 1).contains(&q).then(|| Row::new(self, part))
@@ -219,6 +222,7 @@ struct Row {
 }
 
 impl Row {
+    #[inline(always)]
     fn new(sweep: &Sweep, part: Part) -> Self {
         let stride = sweep.layout.stride;
         let before = part.start % stride[1];
@@ -230,18 +234,21 @@ impl Row {
     #[inline(always)]
     fn at(self, array: &[Real], start: Option<usize>) -> &[Real] {
         let in_array = |s: &usize| s + self.row <= array.len() + self.before;
-        let start = start.filter(in_array).unwrap_or(self.part.start % self.plane);
+        let start = start.filter(in_array).unwrap_or_else(|| self.part.start % self.plane);
         &array[start..start + self.part.length]
     }
 
+    #[inline(always)]
     fn of(self, array: &[Real]) -> &[Real] {
         self.at(array, Some(self.part.start))
     }
 
+    #[inline(always)]
     fn above(self, array: &[Real]) -> &[Real] {
         self.at(array, Some(self.part.start + self.stride))
     }
 
+    #[inline(always)]
     fn below(self, array: &[Real]) -> &[Real] {
         self.at(array, self.part.start.checked_sub(self.stride))
     }
