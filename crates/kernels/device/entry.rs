@@ -17,6 +17,7 @@ use laws::{clay::Clay, menetrey_willam::MenetreyWillam, mohr_coulomb::MohrCoulom
 use real::Real;
 use real::cells::Block;
 use real::device::*;
+use real::device_arrays::Arrays;
 use real::device_remap::*;
 use real::return_mapping::*;
 

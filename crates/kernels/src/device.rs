@@ -8,107 +8,25 @@
 
 use super::Real;
 use super::cells::{Block, CellRow, MaterialConstants, RowConstants, block_size, runs};
-use super::device_remap::{
-    Averaging, Closed, Elasticity, Pass, carry, carry_mass, carry_momentum, close, collect_density,
-    difference, displaced_volumes, dual_flux, dual_reach, mass_flux, new_fractions, nodal_mass, reach,
-    row_energies, shift, spread_density, stop_massless, store_density, take_back, undo_displacement,
-    volume_flux, volume_fraction,
-};
-use super::lanes::{lane_max, lane_sum};
-use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
-use super::physics::clay::Clay;
+use super::device_arrays::Arrays;
+use super::lanes::total_of_lanes;
+use super::nodes::{NodeRow, finish_row, gather_forces, move_row};
 use super::physics::elastic::{Elastic, Stiffening};
-use super::physics::menetrey_willam::MenetreyWillam;
-use super::physics::mohr_coulomb::MohrCoulomb;
-use super::physics::sand::Sand;
 use super::physics::viscosity::BulkViscosity;
-use super::physics::von_mises::VonMises;
 use super::post_remap::{close_gaps, put_back};
-use super::return_mapping::{clay, menetrey_willam, mohr_coulomb, sand, von_mises};
 use super::stress::{
     corner_sums, cut_off_stress, force_coefficients, linear_trial_stress, stiffening_trial_stress,
     strained_widths,
 };
 use crate::exact_sum::NUMBERS;
 use crate::history::{
-    GAP_STRAIN, HISTORY_COUNT, INTACT_STRENGTH, NONLOCAL_DENSITY, PLASTIC_STRAIN, PRECONSOLIDATION,
-    STRESS_RATIO,
+    GAP_STRAIN, INTACT_STRENGTH, NONLOCAL_DENSITY, PLASTIC_STRAIN, PRECONSOLIDATION, STRESS_RATIO,
 };
 use crate::launch::{
-    ACCOUNTED, INSIDE, Kernel, List, MEASURED, NODES, OWNED, POWERS, PlaneSum, ROW_SUMS, STRAINED, SUMS,
-    Totals,
+    ACCOUNTED, INSIDE, List, MEASURED, NODES, OWNED, POWERS, PlaneSum, ROW_SUMS, STRAINED, SUMS,
 };
 use crate::sums::{COEFFICIENTS, NODE_SUMS};
-use std::ops::Range;
 use std::slice::{from_raw_parts, from_raw_parts_mut};
-
-/// Addresses of the arrays on the device, and constants of all cells and nodes.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct Arrays {
-    /// Numbers in an array with its ghosts.
-    pub entries: usize,
-    /// Numbers in a row, and in a plane.
-    pub stride: [usize; 2],
-    /// Planes of the memory.
-    pub planes: usize,
-    /// Number of cells along x, y, z.
-    pub cells: [usize; 3],
-    /// Positions of their faces [m].
-    pub faces: [*const f64; 3],
-    /// Columns of the domain.
-    pub inside: [usize; 2],
-    /// Rows that may hold soil during a remap.
-    pub row_active: *const bool,
-    /// Nodes of a row that move.
-    pub nodes_in_row: usize,
-    /// Columns that are strained, in three parts: of these the outer two lie beyond the domain.
-    pub columns: [[usize; 2]; 3],
-    /// Constants of the nodes.
-    pub constants: NodeConstants,
-    /// Fraction of the hourglass viscosity that acts in yielding cells.
-    pub hourglass_yielding: Real,
-    /// Whether the cells of the fine zone are cubes.
-    pub has_cubes: bool,
-    /// Whether velocities must still be set to zero where there is no soil.
-    pub clears: bool,
-    /// How a row is treated: [`STRAINED`] and the other flags.
-    pub row_flags: *const u8,
-    /// Number of a cell's material, from 1 on; 0 for a cell that is not strained.
-    pub kind: *const u8,
-    /// Which components of a node's velocity boundaries hold: one bit for each.
-    pub held: *const u8,
-    /// Widths of the columns [m], 0 in ghosts, and ¼ of their inverses.
-    pub width_x: [*const Real; 2],
-    /// Widths of the rows of a plane, and of the planes [m].
-    pub width_yz: [*const Real; 2],
-    /// Volume fractions.
-    pub fraction: *const Real,
-    /// Masses of the cells [kg], as if all soil of a cell were of its main material.
-    pub soil_mass: *const Real,
-    /// Masses of the nodes [kg].
-    pub mass: *const Real,
-    /// Stresses [Pa].
-    pub stress: [*mut Real; 6],
-    /// History variables; null where no material needs them.
-    pub history: [*mut Real; HISTORY_COUNT],
-    /// Velocities half a step ahead, half a step ago [m/s].
-    pub velocity: [[*mut Real; 3]; 2],
-    /// Displacements since the last remap [m].
-    pub displacement: [*mut Real; 3],
-    /// Coefficients of the nodal forces; zero where a cell is not strained.
-    pub coefficients: [*mut Real; COEFFICIENTS],
-    /// Dissipation of the cells: plastic work [J], by bulk viscosity and by hourglass viscosity [W].
-    pub powers: [*mut Real; POWERS],
-    /// Work of gravity [J], kinetic energy [J] and largest displacements [m], heavy and light, of the nodes.
-    pub measured: [*mut Real; MEASURED],
-    /// Sums over the rows.
-    pub row_sums: [*mut f64; ROW_SUMS],
-    /// Sums over the rows of each plane.
-    pub plane_sums: *mut PlaneSum,
-    /// Sums over all rows.
-    pub totals: *mut Totals,
-}
 
 /// A material, and the law by which it yields.
 #[derive(Clone, Copy, Debug)]
@@ -185,11 +103,12 @@ pub unsafe fn strain<L, const HISTORY: u32>(
     material: &Material<L>,
     return_mapping: Option<ReturnMapping<L>>,
     block: &mut Block,
-    c: usize,
+    thread: usize,
 ) {
+    let c = a.range[0] + thread;
     // SAFETY: every address below is that of cell `c`, of its column, row or plane, or of one of its nodes.
     unsafe {
-        if c >= a.entries || !is_concerned(a, material, c) {
+        if c >= a.range[1] || !is_concerned(a, material, c) {
             return;
         }
         let [row, plane] = a.stride;
@@ -217,14 +136,7 @@ pub unsafe fn strain<L, const HISTORY: u32>(
         if material.is_after_remap {
             close_gaps(&constants, &cells, block);
         } else {
-            let nodes = [0, row, plane, row + plane]
-                .map(|offset| a.velocity[1].map(|v| from_raw_parts(v.add(c + offset).cast_const(), 2)));
-            corner_sums(&nodes, block);
-            if material.stiffens {
-                stiffening_trial_stress(&constants, &material.stiffening, &cells, block);
-            } else {
-                linear_trial_stress(&constants, &cells, block);
-            }
+            trial_stress(a, material, &constants, &cells, block, c);
         }
         if let Some(return_mapping) = return_mapping {
             return_mapping(&constants, &material.law, &mut cells, block);
@@ -241,6 +153,31 @@ pub unsafe fn strain<L, const HISTORY: u32>(
         *a.powers[0].add(c) = block.work[0];
         *a.powers[1].add(c) = block.viscous_power[0];
         *a.powers[2].add(c) = block.damped_power[0];
+    }
+}
+
+/// Trial stress of a cell.
+///
+/// # Safety
+/// There must be such a cell.
+#[inline(always)]
+unsafe fn trial_stress<L>(
+    a: &Arrays,
+    material: &Material<L>,
+    constants: &RowConstants,
+    cells: &CellRow,
+    block: &mut Block,
+    c: usize,
+) {
+    let [row, plane] = a.stride;
+    // SAFETY: as the caller promises.
+    let nodes = [0, row, plane, row + plane]
+        .map(|offset| a.velocity[1].map(|v| unsafe { from_raw_parts(v.add(c + offset).cast_const(), 2) }));
+    corner_sums(&nodes, block);
+    if material.stiffens {
+        stiffening_trial_stress(constants, &material.stiffening, cells, block);
+    } else {
+        linear_trial_stress(constants, cells, block);
     }
 }
 
@@ -269,12 +206,12 @@ unsafe fn is_concerned<L>(a: &Arrays, material: &Material<L>, c: usize) -> bool 
 /// # Safety
 /// The addresses must be those of arrays of the grid, and no other thread may have the same node.
 #[inline(always)]
-pub unsafe fn move_node(a: &Arrays, n: usize) {
-    let [row, plane] = a.stride;
+pub unsafe fn move_node(a: &Arrays, thread: usize) {
+    let ([row, plane], n) = (a.stride, a.range[0] + thread);
     // SAFETY: flags are those of rows with neighbours on all sides; all other addresses are those of the node
     // or of a cell beside it.
     unsafe {
-        if n >= a.planes * plane || !(1..=a.nodes_in_row).contains(&(n % row)) {
+        if n >= a.range[1] || n >= a.planes * plane || !(1..=a.nodes_in_row).contains(&(n % row)) {
             return;
         }
         if *a.row_flags.add(n / row) & NODES == 0 {
@@ -324,7 +261,134 @@ unsafe fn pairs(a: &Arrays, cell: usize) -> [Real; 2 * COEFFICIENTS] {
     out
 }
 
-/// Adds up what the cells and nodes of a row contribute, in the order in which the processor does.
+/// Numbers of a row in the first eight of which a kernel has left the sums of their lanes.
+struct Laned {
+    start: *mut Real,
+    count: usize,
+}
+
+impl Laned {
+    /// Adds up the numbers of a lane, or finds the largest, and leaves that in the first of them.
+    ///
+    /// # Safety
+    /// There must be as many numbers, and no other thread may have the same lane.
+    #[inline(always)]
+    unsafe fn reduce(&self, lane: usize, both: impl Fn(Real, Real) -> Real) {
+        if self.count >= 8 {
+            // SAFETY: as the caller promises.
+            unsafe {
+                let each = (0..self.count / 8).map(|chunk| *self.start.add(8 * chunk + lane));
+                *self.start.add(lane) = each.fold(0.0, both);
+            }
+        }
+    }
+
+    /// The numbers of the lanes, and those beyond the last whole vector.
+    ///
+    /// # Safety
+    /// There must be as many numbers, and all lanes must have been reduced.
+    #[inline(always)]
+    unsafe fn lanes(&self) -> LanesAndTail<'_> {
+        let whole = self.count / 8 * 8;
+        // SAFETY: as the caller promises.
+        unsafe {
+            let lane = |n: usize| if whole > 0 { *self.start.add(n) } else { 0.0 };
+            let tail = from_raw_parts(self.start.add(whole).cast_const(), self.count - whole);
+            LanesAndTail { lanes: std::array::from_fn(lane), tail }
+        }
+    }
+}
+
+/// Sums of lanes, and the numbers beyond the last whole vector.
+struct LanesAndTail<'a> {
+    lanes: [Real; 8],
+    tail: &'a [Real],
+}
+
+impl LanesAndTail<'_> {
+    #[inline(always)]
+    fn total(&self) -> f64 {
+        total_of_lanes(self.lanes, self.tail)
+    }
+
+    #[inline(always)]
+    fn most(&self) -> f64 {
+        self.lanes.iter().chain(self.tail).fold(0.0, |a, b| larger(a, *b)).into()
+    }
+}
+
+#[inline(always)]
+fn larger(a: Real, b: Real) -> Real {
+    if b > a { b } else { a }
+}
+
+/// Adds up the numbers of each lane of a row: eight threads that read what lies side by side. Threads are
+/// numbered row by row, one for each lane.
+///
+/// # Safety
+/// The addresses must be those of arrays of the grid, and no other thread may have the same number.
+#[inline(always)]
+pub unsafe fn sum_lane(a: &Arrays, thread: usize) {
+    let ([row, plane], r, lane) = (a.stride, thread / 8, thread % 8);
+    if r >= a.planes * plane / row {
+        return;
+    }
+    // SAFETY: all addresses are those of the row; a thread has its lane for itself.
+    unsafe {
+        each_block(a, r, |block, _| {
+            for power in &a.powers {
+                block.of(power).reduce(lane, |sum, own| sum + own);
+            }
+        });
+        if *a.row_flags.add(r) & NODES != 0 {
+            for (n, measured) in a.measured.iter().enumerate() {
+                let nodes = Laned { start: measured.add(r * row + 1), count: a.nodes_in_row };
+                nodes.reduce(lane, |so_far, own| if n < 2 { so_far + own } else { larger(so_far, own) });
+            }
+        }
+    }
+}
+
+/// A block of cells: the first, and how many.
+struct CellsOfBlock {
+    first: usize,
+    count: usize,
+}
+
+impl CellsOfBlock {
+    #[inline(always)]
+    fn of(&self, array: &*mut Real) -> Laned {
+        Laned { start: array.wrapping_add(self.first), count: self.count }
+    }
+}
+
+/// Calls `job` with the blocks of strained cells of a row, in which the processor adds up, and whether they
+/// lie beyond the domain.
+///
+/// # Safety
+/// There must be such a row.
+#[inline(always)]
+unsafe fn each_block(a: &Arrays, r: usize, mut job: impl FnMut(CellsOfBlock, bool)) {
+    // SAFETY: as the caller promises.
+    let (flags, start) = (unsafe { *a.row_flags.add(r) }, r * a.stride[0] + 1);
+    if flags & STRAINED == 0 {
+        return;
+    }
+    for (part, [first, end]) in a.columns.into_iter().enumerate() {
+        // SAFETY: the columns are those of a row.
+        let kinds = unsafe { from_raw_parts(a.kind.add(start), end) };
+        for (run, _) in runs(kinds, first..end) {
+            let size = block_size(run.len());
+            for first in run.clone().step_by(size) {
+                let block = CellsOfBlock { first: start + first, count: size.min(run.end - first) };
+                job(block, part != 1 || flags & INSIDE == 0);
+            }
+        }
+    }
+}
+
+/// Adds up what the cells and nodes of a row contribute, in the order in which the processor does, once the
+/// lanes are added up.
 ///
 /// # Safety
 /// The addresses must be those of arrays of the grid, and no other thread may have the same row.
@@ -336,50 +400,27 @@ pub unsafe fn sum_row(a: &Arrays, r: usize) {
     }
     // SAFETY: all addresses are those of the row.
     unsafe {
-        let flags = *a.row_flags.add(r);
-        let start = r * row + 1;
-        let mut own = [0.0; POWERS];
-        let mut beyond = [0.0; POWERS];
-        if flags & STRAINED != 0 {
-            for (part, [first, end]) in a.columns.into_iter().enumerate() {
-                let kinds = from_raw_parts(a.kind.add(start), end);
-                for (run, _) in runs(kinds, first..end) {
-                    let is_beyond = part != 1 || flags & INSIDE == 0;
-                    add_run(a, start, run, if is_beyond { &mut beyond } else { &mut own });
-                }
-            }
-        }
-        let measured = |n: usize| from_raw_parts(a.measured[n].add(start).cast_const(), a.nodes_in_row);
+        let mut sums = [[0.0; POWERS]; 2];
+        each_block(a, r, |block, is_beyond| {
+            let sums = &mut sums[usize::from(is_beyond)];
+            let dt = f64::from(a.constants.dt);
+            let [work, viscous, damped] = a.powers.each_ref().map(|power| block.of(power).lanes().total());
+            sums[0] += work;
+            sums[1] += viscous * dt;
+            sums[2] += damped * dt;
+        });
+        let measured = |n: usize| Laned { start: a.measured[n].add(r * row + 1), count: a.nodes_in_row };
         let [mut gravity, mut kinetic, mut displacement, mut light] = [0.0_f64; 4];
-        if flags & NODES != 0 {
-            (gravity, kinetic) = (lane_sum(measured(0)), lane_sum(measured(1)));
-            (displacement, light) = (lane_max(measured(2)).into(), lane_max(measured(3)).into());
+        if *a.row_flags.add(r) & NODES != 0 {
+            (gravity, kinetic) = (measured(0).lanes().total(), measured(1).lanes().total());
+            (displacement, light) = (measured(2).lanes().most(), measured(3).lanes().most());
         }
-        let [plastic, viscous, hourglass] = own;
+        let [[plastic, viscous, hourglass], beyond] = sums;
         let lost_beyond = beyond[0] + beyond[1] + beyond[2];
         let sums = [plastic, viscous, hourglass, gravity, kinetic, lost_beyond, displacement, light];
         for n in 0..ROW_SUMS {
             *a.row_sums[n].add(r) = sums[n];
         }
-    }
-}
-
-/// Adds the dissipation of a run of cells, block by block.
-///
-/// # Safety
-/// The run must lie in the row that begins at `start`.
-#[inline(always)]
-unsafe fn add_run(a: &Arrays, start: usize, run: Range<usize>, sums: &mut [f64; POWERS]) {
-    let (size, dt) = (block_size(run.len()), f64::from(a.constants.dt));
-    for first in run.clone().step_by(size) {
-        let n = size.min(run.end - first);
-        // SAFETY: as the caller promises.
-        let [work, viscous, damped] = a
-            .powers
-            .map(|power| lane_sum(unsafe { from_raw_parts(power.add(start + first).cast_const(), n) }));
-        sums[0] += work;
-        sums[1] += viscous * dt;
-        sums[2] += damped * dt;
     }
 }
 
@@ -469,34 +510,3 @@ pub unsafe fn give(list: &List<Real>, thread: usize) {
         }
     }
 }
-
-macro_rules! run {
-    (() $($variant:ident $name:ident($type:ty): |$a:ident, $more:ident, $block:ident, $n:ident| $does:expr;)*) => {
-        /// Does what a thread of a kernel does.
-        ///
-        /// # Safety
-        /// The arrays must be those of a grid, `more` the address of what the kernel is handed over besides,
-        /// and no other thread may have the same number.
-        pub unsafe fn run(kernel: Kernel, arrays: &Arrays, more: *const u8, block: &mut Block, number: usize) {
-            match kernel {
-                $(Kernel::$variant => {
-                    // SAFETY: as the caller promises.
-                    unsafe {
-                        let ($a, $more, $block, $n) = (arrays, &*more.cast::<$type>(), block, number);
-                        $does;
-                    }
-                })*
-            }
-        }
-
-        /// Size of what a kernel is handed over besides the arrays [bytes].
-        #[must_use]
-        pub fn size_of_more(kernel: Kernel) -> usize {
-            match kernel {
-                $(Kernel::$variant => size_of::<$type>(),)*
-            }
-        }
-    };
-}
-
-crate::each_kernel!(run,);

@@ -5,7 +5,7 @@
 #![allow(unsafe_code)] // The arrays of a device are known by their addresses alone.
 
 use super::Real;
-use super::device::Arrays;
+use super::device_arrays::Arrays;
 use super::energy::{Cells, elastic_row, kinetic_row};
 use super::flux::{FluxInputs, close_face};
 use super::nonlocal::{Averaged, Spread};
@@ -80,8 +80,8 @@ struct Own<'a> {
 }
 
 impl<'a> Own<'a> {
-    /// The thread of the cell or node `n`, unless this lies in the lowest plane, which is all ghosts, or beyond
-    /// the grid.
+    /// The thread of the cell or node `n`, unless this lies in the lowest plane, which is all ghosts, or
+    /// beyond the grid.
     #[inline(always)]
     fn new(arrays: &'a Arrays, pass: &'a Pass, n: usize) -> Option<Self> {
         let plane = arrays.stride[1];
@@ -142,7 +142,8 @@ macro_rules! threads {
             $(#[$doc])*
             ///
             /// # Safety
-            /// The addresses must be those of arrays of the grid, and no other thread may have the same number.
+            /// The addresses must be those of arrays of the grid, and no other thread may have the same
+            /// number.
             #[inline(always)]
             pub unsafe fn $name(arrays: &Arrays, pass: &Pass, n: usize) {
                 if let Some($own) = Own::new(arrays, pass, n) {

@@ -12,7 +12,14 @@ pub fn lane_sum(values: &[Real]) -> f64 {
             *lane += value;
         }
     }
-    let tail: Real = values.chunks_exact(8).remainder().iter().sum();
+    total_of_lanes(lanes, values.chunks_exact(8).remainder())
+}
+
+/// [`lane_sum`] from the sums of the eight lanes, and the values beyond the last whole vector.
+#[inline(always)]
+#[must_use]
+pub fn total_of_lanes(lanes: [Real; 8], tail: &[Real]) -> f64 {
+    let tail: Real = tail.iter().sum();
     let (lanes, tail) = (lanes.map(f64::from), f64::from(tail));
     ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
 }

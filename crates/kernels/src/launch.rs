@@ -77,6 +77,7 @@ macro_rules! each_kernel {
             StrainSand strain_sand(Material<Sand>): |a, more, block, n| strain::<_, SAND>(a, more, Some(sand), block, n);
             StrainClay strain_clay(Material<Clay>): |a, more, block, n| strain::<_, CLAY>(a, more, Some(clay), block, n);
             MoveNodes move_nodes(u64): |a, _more, _block, n| move_node(a, n);
+            SumLanes sum_lanes(u64): |a, _more, _block, n| sum_lane(a, n);
             SumRows sum_rows(u64): |a, _more, _block, n| sum_row(a, n);
             SumPlanes sum_planes(u64): |a, _more, _block, n| sum_plane(a, n);
             SumAll sum_all(u64): |a, _more, _block, n| total(a, n);

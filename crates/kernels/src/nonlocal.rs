@@ -28,7 +28,8 @@ pub struct Averaged<'a> {
 }
 
 impl Averaged<'_> {
-    /// Calls `job(index in the part, cell, relative density)` for the cells of a part of a row with this sand.
+    /// Calls `job(index in the part, cell, relative density)` for the cells of a part of a row with this
+    /// sand.
     #[inline(always)]
     fn each_cell(&self, part: Part, mut job: impl FnMut(usize, usize, Real)) {
         self.layout.each_cell(part, |c, [i, j, k]| {

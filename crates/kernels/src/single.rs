@@ -19,8 +19,12 @@ use physics::single as physics;
 pub mod cells;
 #[path = "device.rs"]
 pub mod device;
+#[path = "device_arrays.rs"]
+pub mod device_arrays;
 #[path = "device_remap.rs"]
 pub mod device_remap;
+#[path = "device_run.rs"]
+pub mod device_run;
 #[path = "energy.rs"]
 pub mod energy;
 #[path = "flux.rs"]

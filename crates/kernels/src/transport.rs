@@ -67,8 +67,8 @@ impl Sweep<'_> {
         }
     }
 
-    /// [`Sweep::undo_displacement`] in some columns of the row that begins at `start`. Nothing is swept by the
-    /// walls of the box: of the columns beside one across x, each must come alone.
+    /// [`Sweep::undo_displacement`] in some columns of the row that begins at `start`. Nothing is swept by
+    /// the walls of the box: of the columns beside one across x, each must come alone.
     #[inline(always)]
     fn undo_columns(&self, start: usize, columns: Range<usize>, displacement: &[Real], cell: &mut [Real]) {
         let Self { layout, axis, .. } = *self;

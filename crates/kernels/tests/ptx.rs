@@ -18,9 +18,9 @@ fn parameters(text: &str, name: &str) -> Vec<usize> {
 fn entry_points_take_what_is_handed_over() {
     for kernel in Kernel::ALL {
         let name = kernel.name();
-        let sizes = [size_of::<double::device::Arrays>(), double::device::size_of_more(*kernel)];
+        let sizes = [size_of::<double::device_arrays::Arrays>(), double::device_run::size_of_more(*kernel)];
         assert_eq!(parameters(PTX_DOUBLE, name), sizes, "{name}, double precision");
-        let sizes = [size_of::<single::device::Arrays>(), single::device::size_of_more(*kernel)];
+        let sizes = [size_of::<single::device_arrays::Arrays>(), single::device_run::size_of_more(*kernel)];
         assert_eq!(parameters(PTX_SINGLE, name), sizes, "{name}, single precision");
     }
     assert_eq!(PTX_DOUBLE.matches(".entry").count(), Kernel::ALL.len());

@@ -8,8 +8,9 @@
 //! that bears tension (clay, metal, elastic soil) spans the void of its cell and is left as it is.
 
 use crate::boundary::Boundary;
+use crate::cpu::fields_on_device::DeviceRemap;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::{DeviceRemap, Touched};
+use crate::device::Touched;
 use crate::fields::GAP_STRAIN;
 use crate::grid::GHOSTS;
 use crate::kernels::Kernels;

@@ -4,8 +4,8 @@
 //! Each row is summed on its own, then the rows of all blocks exactly: neither threads nor blocks change a
 //! bit.
 
+use crate::cpu::fields_on_device::DeviceRemap;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::DeviceRemap;
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::fields::mass_as_main;
 use crate::grid::Grid;

@@ -19,8 +19,8 @@ use crate::state::{EnergyBalance, Nodes, Soil, State};
 use glam::DVec3;
 use std::ops::Range;
 
-/// Moves the grid after the body that it follows; returns how far [m]. Displacements are relative to the grid,
-/// and must then be less by as much.
+/// Moves the grid after the body that it follows; returns how far [m]. Displacements are relative to the
+/// grid, and must then be less by as much.
 pub(crate) fn follow<R: Kernels>(model: &Model, state: &mut State<R>) -> DVec3 {
     let Some(follow) = model.follow else { return DVec3::ZERO };
     let travelled = state.pose(follow.body).position - model.bodies[follow.body].start.position;

@@ -1,8 +1,9 @@
 //! The interface between the time step and the kernels of either precision.
 
+use crate::cpu::fields_on_device::{DeviceRemap, DeviceStage};
 use crate::cpu::kernels::{double, single};
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::{DeviceRemap, DeviceStage, Touched};
+use crate::device::Touched;
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::model::Model;

@@ -1,6 +1,6 @@
 //! The precision of the fields, as programs that use the solver see it.
 
-use crate::device::DeviceStage;
+use crate::cpu::fields_on_device::DeviceStage;
 use crate::error::Breakdown;
 use crate::halo::Halo;
 use crate::halo::decomposition::Decomposition;

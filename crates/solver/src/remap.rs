@@ -5,9 +5,9 @@
 //! the soil that overlaps a body is moved out of it.
 
 use crate::contact;
+use crate::cpu::fields_on_device::DeviceRemap;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::DeviceRemap;
 use crate::enclosed;
 use crate::energy;
 use crate::ghosts::{self, Beyond, Ghosts};

@@ -4,8 +4,10 @@ use crate::balance::account;
 use crate::bodies;
 use crate::check::check;
 use crate::contact;
+use crate::cpu::fields_on_device::DeviceStage;
 use crate::cpu::stage_sums::RowSums;
-use crate::device::{DeviceStage, Touched};
+use crate::cpu::workspace::SoilWorkspace;
+use crate::device::Touched;
 use crate::error::Breakdown;
 use crate::halo::filling::{At, Layers, begin_filling, end_filling};
 use crate::kernels::Kernels;
@@ -49,10 +51,14 @@ pub(crate) fn stages<R: Kernels>(
     R::lagrangian_stage(model, state, soil, dt, &mut known, &touched);
     let beside_cuts = Layers { at: At::Nodes, depth: 1 };
     begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
-    let mut sums = soil.device.as_ref().map_or_else(|| soil.sums_of_stage(), DeviceStage::sums);
-    sums.add_pressing(contact::pressing_work(model, &state.soil, &pressed));
-    sums.add_beyond(beyond.taken_up(model, &state.soil));
-    sums.begin_total(halo);
+    let add_up = |state: &mut State<R>, soil: &mut SoilWorkspace<R>| {
+        let mut sums = soil.end_stage(model, state);
+        sums.add_pressing(contact::pressing_work(model, &state.soil, &pressed));
+        sums.add_beyond(beyond.taken_up(model, &state.soil));
+        sums.begin_total(halo);
+        sums
+    };
+    let sums = soil.device.is_none().then(|| add_up(state, soil));
     bodies::predict(model, mechanism, state, moving);
     contact::solve(model, state, soil, halo, contact, moving);
     // First: contact nodes in ghost layers then get their velocities after contact, which are known here,
@@ -63,7 +69,8 @@ pub(crate) fn stages<R: Kernels>(
         device.give_velocities(model, state);
     }
     bodies::advance(mechanism, state, moving);
-    let sums = sums.total(halo);
+    // A device has been at work on rows far from the bodies meanwhile.
+    let sums = sums.unwrap_or_else(|| add_up(state, soil)).total(halo);
     pore_pressure::renew(model, state, soil, seepage, (contact, &pressed), halo)?;
     account(model, state, &sums, moving, &work);
     state.time += dt;

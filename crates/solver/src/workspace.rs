@@ -3,12 +3,13 @@
 use crate::balance;
 use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
+use crate::cpu::fields_on_device::DeviceStage;
 use crate::cpu::seepage::SeepageWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::{self, DeviceError, DeviceStage, Driver};
+use crate::device::{self, DeviceError, Driver};
 use crate::error::Breakdown;
-use crate::ghosts::Beyond;
+use crate::ghosts::{self, Beyond};
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::kernels::Kernels;
@@ -137,7 +138,8 @@ impl<R: Kernels> Workspace<R> {
         if !self.halo.is_alone() {
             return Err(DeviceError("a grid in several blocks is strained on processors alone".to_owned()));
         }
-        self.soil.device = Some(R::OnDevice::new(model, state, &self.soil, driver)?);
+        self.soil.device =
+            Some(R::OnDevice::new(model, state, &self.soil, ghosts::touched(&model.grid), driver)?);
         Ok(())
     }
 

@@ -48,6 +48,14 @@ impl Driver for Losing {
         self.device.read(from, bytes)
     }
 
+    fn begin_read(&mut self, from: Address, bytes: usize) -> Result<(), DeviceError> {
+        self.device.begin_read(from, bytes)
+    }
+
+    fn end_read(&mut self, bytes: &mut [u8]) -> Result<(), DeviceError> {
+        self.device.end_read(bytes)
+    }
+
     fn launch(&mut self, launch: Launch) -> Result<(), DeviceError> {
         self.device.launch(launch)
     }

@@ -89,8 +89,8 @@ pub(super) fn by_cell(body_cells: &[BodyCell]) -> BTreeMap<usize, (f64, &BodyCel
     occupied
 }
 
-/// The cells that bodies occupy and those near them, with their nodes: all that moving soil out of the bodies,
-/// carrying remnants and searching for contacts look at besides volume fractions and masses.
+/// The cells that bodies occupy and those near them, with their nodes: all that moving soil out of the
+/// bodies, carrying remnants and searching for contacts look at besides volume fractions and masses.
 pub(super) fn near(grid: &Grid, body_cells: &[BodyCell]) -> Touched {
     /// Layers of neighbours: overlapping soil moves by one, the search looks at the next cell of a point's.
     const LAYERS: usize = 2;

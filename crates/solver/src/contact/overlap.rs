@@ -12,9 +12,9 @@
 use super::body_fraction::{FILLED, filled, find_bodies, near};
 use super::problem::{corners, over_corners};
 use super::workspace::ContactWorkspace;
+use crate::cpu::fields_on_device::DeviceRemap;
 use crate::cpu::threads::Crew;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::device::DeviceRemap;
 use crate::fields::Carrier;
 use crate::grid::Grid;
 use crate::halo::Halo;

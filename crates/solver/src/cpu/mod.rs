@@ -1,5 +1,6 @@
 //! The loops over cells and nodes, on the cores of the processor.
 
+pub(crate) mod fields_on_device;
 pub(crate) mod kernels;
 pub mod machine;
 pub mod partition;

@@ -4,12 +4,10 @@ use super::partition::{RowPartition, SerialFallback, Throughput};
 use super::stage_sums::{RowSums, StageSums};
 use super::stopwatch::Stopwatch;
 use super::threads::{Crew, MAX_WORKERS, Team};
-use crate::device::DeviceRemap;
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::fields::{Soil, mass_as_main};
 use crate::grid::Grid;
 use crate::halo::Halo;
-use crate::kernels::Kernels;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -332,13 +330,6 @@ impl<R: Scalar> SoilWorkspace<R> {
             self.contact_from = contact_from;
             self.divide(grid);
         }
-    }
-}
-
-impl<R: Kernels> SoilWorkspace<R> {
-    /// The device, if there is one that remaps the soil.
-    pub(crate) fn remapping(&mut self) -> Option<&mut R::OnDevice> {
-        self.device.as_mut().filter(|device| device.remaps())
     }
 }
 

@@ -26,6 +26,16 @@ pub struct Cuda {
     /// What is reserved.
     reserved: Vec<Address>,
     crossed: u64,
+    landing: Option<Landing>,
+}
+
+/// Where copies land that are under way: memory that cannot be paged out, its size, and what tells when they
+/// have come.
+#[derive(Debug)]
+struct Landing {
+    memory: *mut c_void,
+    bytes: usize,
+    has_come: sys::CUevent,
 }
 
 // SAFETY: a context may be made current by any thread, as every method does.
@@ -57,8 +67,15 @@ impl Cuda {
         unsafe { result::ctx::set_current(context) }.map_err(failed(&name))?;
         let stream =
             result::stream::create(result::stream::StreamKind::NonBlocking).map_err(failed(&name))?;
-        let mut cuda =
-            Self { name, context, stream, kernels: FxHashMap::default(), reserved: Vec::new(), crossed: 0 };
+        let mut cuda = Self {
+            name,
+            context,
+            stream,
+            kernels: FxHashMap::default(),
+            reserved: Vec::new(),
+            crossed: 0,
+            landing: None,
+        };
         for (is_double, text) in [false, true].into_iter().zip(PTX) {
             cuda.load(is_double, text)?;
         }
@@ -78,6 +95,25 @@ impl Cuda {
             self.kernels.insert((is_double, *kernel), function);
         }
         Ok(())
+    }
+
+    /// Room for so many bytes to land.
+    fn landing(&mut self, bytes: usize) -> Result<&Landing, DriverError> {
+        if self.landing.as_ref().is_none_or(|landing| landing.bytes < bytes) {
+            self.close_landing();
+            // SAFETY: the memory is written before it is read.
+            let memory = unsafe { result::malloc_host(bytes, 0) }?;
+            let has_come = result::event::create(sys::CUevent_flags::CU_EVENT_DISABLE_TIMING)?;
+            self.landing = Some(Landing { memory, bytes, has_come });
+        }
+        self.landing.as_ref().ok_or(DriverError(sys::cudaError_enum::CUDA_ERROR_NOT_READY))
+    }
+
+    fn close_landing(&mut self) {
+        if let Some(Landing { memory, has_come, .. }) = self.landing.take() {
+            // SAFETY: both were made by `landing`, and nothing is under way to the memory.
+            let _ = unsafe { result::event::destroy(has_come).and_then(|()| result::free_host(memory)) };
+        }
     }
 
     /// Makes the device that of the calling thread.
@@ -133,6 +169,33 @@ impl Driver for Cuda {
         .map_err(failed("copying from the device"))
     }
 
+    fn begin_read(&mut self, from: Address, bytes: usize) -> Result<(), DeviceError> {
+        self.enter()?;
+        self.crossed += bytes as u64;
+        let stream = self.stream;
+        let began = self.landing(bytes).and_then(|landing| {
+            // SAFETY: as many bytes were reserved there, and have room where they land.
+            unsafe {
+                let there = std::slice::from_raw_parts_mut(landing.memory.cast::<u8>(), bytes);
+                result::memcpy_dtoh_async(there, from.0, stream)?;
+                result::event::record(landing.has_come, stream)
+            }
+        });
+        began.map_err(failed("copying from the device"))
+    }
+
+    fn end_read(&mut self, bytes: &mut [u8]) -> Result<(), DeviceError> {
+        self.enter()?;
+        let landing = self.landing.as_ref().filter(|landing| landing.bytes >= bytes.len());
+        let landing = landing.ok_or_else(|| DeviceError("no copy of this was begun".to_owned()))?;
+        // SAFETY: the event was recorded behind the copy, which fills as many bytes.
+        unsafe {
+            result::event::synchronize(landing.has_come).map_err(failed("copying from the device"))?;
+            bytes.copy_from_slice(std::slice::from_raw_parts(landing.memory.cast::<u8>(), bytes.len()));
+        }
+        Ok(())
+    }
+
     fn launch(&mut self, launch: Launch) -> Result<(), DeviceError> {
         self.enter()?;
         let blocks = u32::try_from(launch.threads.div_ceil(BLOCK as usize))
@@ -163,6 +226,7 @@ impl Driver for Cuda {
 impl Drop for Cuda {
     fn drop(&mut self) {
         self.reserved.clone().into_iter().for_each(|address| self.free(address));
+        let _ = self.enter().map(|()| self.close_landing());
         // SAFETY: nothing is asked of the stream any more.
         let _ = self.enter().map(|()| unsafe { result::stream::destroy(self.stream) });
     }

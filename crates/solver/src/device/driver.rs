@@ -69,6 +69,19 @@ pub trait Driver: fmt::Debug + Send + Sync {
     /// [`DeviceError`] if an earlier launch has failed, or the copy does.
     fn read(&mut self, from: Address, bytes: &mut [u8]) -> Result<(), DeviceError>;
 
+    /// Begins to copy from the device what the launches so far leave there; the next [`Driver::end_read`]
+    /// waits for that, and not for what is launched in between.
+    ///
+    /// # Errors
+    /// [`DeviceError`] if an earlier launch has failed, or the copy cannot begin.
+    fn begin_read(&mut self, from: Address, bytes: usize) -> Result<(), DeviceError>;
+
+    /// Ends the copy that was begun last: of as many bytes.
+    ///
+    /// # Errors
+    /// [`DeviceError`] if an earlier launch or the copy has failed, or none was begun.
+    fn end_read(&mut self, bytes: &mut [u8]) -> Result<(), DeviceError>;
+
     /// Launches a kernel.
     ///
     /// # Errors

@@ -9,11 +9,9 @@ mod choice;
 #[cfg(feature = "gpu")]
 pub mod cuda;
 mod driver;
-mod fields;
 pub mod replay;
 mod touched;
 
 pub use choice::{Device, footprint, require};
 pub use driver::{Address, DeviceError, Driver, Launch};
-pub use fields::{DeviceRemap, DeviceStage};
 pub use touched::Touched;

@@ -15,6 +15,8 @@ pub struct Replay {
     /// State of the generator of random orders.
     seed: u64,
     crossed: u64,
+    /// What a copy has taken that was begun.
+    begun: Option<Vec<u8>>,
     /// Memory that may be reserved [bytes], if there is a limit.
     pub limit: Option<usize>,
     /// Launches after which every other one fails, as when a device is lost.
@@ -74,6 +76,19 @@ impl Driver for Replay {
         self.crossed += bytes.len() as u64;
         // SAFETY: the memory reserved there is as long.
         unsafe { bytes.as_mut_ptr().copy_from_nonoverlapping(from.pointer::<u8>(), bytes.len()) };
+        Ok(())
+    }
+
+    fn begin_read(&mut self, from: Address, bytes: usize) -> Result<(), DeviceError> {
+        let mut begun = vec![0; bytes];
+        self.read(from, &mut begun)?;
+        self.begun = Some(begun);
+        Ok(())
+    }
+
+    fn end_read(&mut self, bytes: &mut [u8]) -> Result<(), DeviceError> {
+        let begun = self.begun.take().filter(|begun| begun.len() == bytes.len());
+        bytes.copy_from_slice(&begun.ok_or_else(|| DeviceError("no copy of this was begun".to_owned()))?);
         Ok(())
     }
 

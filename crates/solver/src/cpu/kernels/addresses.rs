@@ -2,10 +2,10 @@
 #![allow(unsafe_code)] // The arrays of a device are known by their addresses alone.
 
 use super::cells::Block;
-use super::device::{Arrays, run};
+use super::device_arrays::Arrays;
 use super::device_remap::{INPUTS, Pass};
+use super::device_run::run;
 use super::lagrange::strained_columns;
-use super::listed::Both;
 use super::{Nodes, Real, Soil, State, constants};
 use crate::device::{Address, DeviceError, Driver, Launch};
 use crate::fields::HISTORY_COUNT;
@@ -18,6 +18,9 @@ use std::ptr::{null, null_mut};
 
 /// Result of what a device is asked to do.
 pub(super) type Done<T = ()> = Result<T, DeviceError>;
+
+/// An array on the device, and the same on the processor.
+pub(super) type Both<'a> = (Address, &'a mut Vec<Real>);
 
 /// Addresses of the arrays, which the driver gives back when it is dropped.
 #[derive(Clone, Copy, Debug)]
@@ -123,6 +126,7 @@ impl Addresses {
             cells: grid.cells(),
             faces: self.faces.map(|faces| faces.pointer::<f64>().cast_const()),
             inside: [inside.start, inside.end],
+            range: [0, grid.entries],
             row_active: self.row_active.pointer(),
             nodes_in_row: grid.padded_nodes(),
             columns: columns(model),

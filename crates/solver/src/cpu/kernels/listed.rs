@@ -1,15 +1,12 @@
 //! Nodes and cells on a list, whose numbers cross to a device and back.
 
 use super::Real;
-use super::addresses::{Done, launch};
-use super::device::Arrays;
-use crate::device::{Address, Driver};
+use super::addresses::{Both, Done, launch};
+use super::device_arrays::Arrays;
+use crate::device::{Address, Driver, Touched};
 use ::kernels::launch::{Kernel, LISTED, List};
 use bytemuck::{cast_slice, cast_slice_mut};
 use std::ptr::null_mut;
-
-/// An array on the device, and the same on the processor.
-pub(super) type Both<'a> = (Address, &'a mut Vec<Real>);
 
 /// Nodes or cells on a list, with room for their numbers on the device.
 #[derive(Debug, Default)]
@@ -58,10 +55,24 @@ impl Listed {
 
     /// Takes the numbers of these arrays from the device.
     pub(super) fn take(&mut self, driver: &mut dyn Driver, arrays: &Arrays, both: &mut [Both]) -> Done {
+        self.begin_taking(driver, arrays, both)?;
+        self.end_taking(driver, both)
+    }
+
+    /// Begins to take the numbers that the launches so far leave in these arrays.
+    pub(super) fn begin_taking(&self, driver: &mut dyn Driver, arrays: &Arrays, both: &[Both]) -> Done {
         let Some([_, values]) = self.addresses() else { return Ok(()) };
         launch(driver, Kernel::Take, self.entries.len(), arrays, &self.list(both))?;
+        driver.begin_read(values, both.len() * self.entries.len() * size_of::<Real>())
+    }
+
+    /// Ends that.
+    pub(super) fn end_taking(&mut self, driver: &mut dyn Driver, both: &mut [Both]) -> Done {
+        if self.addresses().is_none() {
+            return Ok(());
+        }
         self.values.resize(both.len() * self.entries.len(), 0.0);
-        driver.read(values, cast_slice_mut(&mut self.values))?;
+        driver.end_read(cast_slice_mut(&mut self.values))?;
         for ((_, array), own) in both.iter_mut().zip(self.values.chunks_exact(self.entries.len())) {
             self.entries.iter().zip(own).for_each(|(n, value)| array[*n as usize] = *value);
         }
@@ -79,5 +90,25 @@ impl Listed {
             numbers: both.len(),
             arrays,
         }
+    }
+}
+
+/// Cells and nodes that the processor works on during a remap.
+#[derive(Debug, Default)]
+pub(super) struct Region {
+    pub(super) cells: Listed,
+    pub(super) nodes: Listed,
+}
+
+impl Region {
+    /// Other cells and nodes.
+    pub(super) fn renew(&mut self, touched: Touched, driver: &mut dyn Driver) -> Done {
+        self.cells.renew(touched.cells, LISTED, driver)?;
+        self.nodes.renew(touched.nodes, 4, driver)
+    }
+
+    /// Sets the entries of the cells to zero.
+    pub(super) fn clear(&self, array: &mut [Real]) {
+        self.cells.entries.iter().for_each(|c| array[*c as usize] = 0.0);
     }
 }

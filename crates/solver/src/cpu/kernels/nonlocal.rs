@@ -9,7 +9,7 @@ use super::physics::law::Law;
 use super::rows::nonlocal::{Averaged, Spread};
 use super::sweep::part;
 use super::{Real, Soil, Workspace};
-use crate::device::DeviceRemap;
+use crate::cpu::fields_on_device::DeviceRemap;
 use crate::fields::NONLOCAL_DENSITY;
 use crate::grid::Grid;
 use crate::halo::Halo;

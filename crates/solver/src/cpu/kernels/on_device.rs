@@ -6,15 +6,16 @@
 
 use super::addresses::{Addresses, Done, columns, launch};
 use super::cells::MaterialConstants;
-use super::device::{Arrays, Material};
+use super::device::Material;
+use super::device_arrays::Arrays;
 use super::lagrange::apply_boundaries;
-use super::listed::Listed;
+use super::listed::{Listed, Region};
 use super::physics::law::Law;
-use super::remap_on_device::Region;
 use super::{Nodes, Real, State, Workspace};
+use crate::cpu::fields_on_device::DeviceStage;
 use crate::cpu::stage_sums::StageSums;
 use crate::cpu::stopwatch::Stage;
-use crate::device::{DeviceError, DeviceStage, Driver, Touched};
+use crate::device::{DeviceError, Driver, Touched};
 use crate::exact_sum::ExactSum;
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
@@ -58,11 +59,18 @@ impl OnDevice {
 }
 
 impl DeviceStage<Real> for OnDevice {
-    fn new(model: &Model, state: &State, workspace: &Workspace, mut driver: Box<dyn Driver>) -> Done<Self> {
+    fn new(
+        model: &Model,
+        state: &State,
+        workspace: &Workspace,
+        ghosts: Touched,
+        mut driver: Box<dyn Driver>,
+    ) -> Done<Self> {
         let held = Addresses::new(model, state, &workspace.width_x, &mut *driver)?;
         driver.write(held.held, &held_components(model))?;
         let remaps = model.materials.len() == 1;
-        let ghosts = if remaps { Region::of_ghosts(&model.grid, &mut *driver)? } else { Region::default() };
+        let mut region = Region::default();
+        region.renew(ghosts, &mut *driver)?;
         Ok(Self {
             driver,
             held,
@@ -72,7 +80,7 @@ impl DeviceStage<Real> for OnDevice {
             is_prepared: false,
             is_home: true,
             remaps,
-            ghosts,
+            ghosts: region,
             round: Region::default(),
             closed: Listed::default(),
             sums: StageSums::default(),
@@ -133,13 +141,17 @@ impl DeviceStage<Real> for OnDevice {
             device.is_home = false;
             device.held.ahead = 1 - device.held.ahead;
             let arrays = Arrays { clears, ..device.held.arrays(model) };
-            device.all_cells(&workspace.materials, &arrays, false)?;
-            launch(&mut *device.driver, Kernel::MoveNodes, arrays.entries, &arrays, &0_u64)?;
-            device.add_up(&arrays, &model.grid)?;
-            device.take_nodes(&arrays, state, &mut workspace.velocity_before)?;
-            device.cells.take(&mut *device.driver, &arrays, &mut device.held.strained(&mut state.soil))
+            device.near_first(&workspace.materials, &arrays, state, &mut workspace.velocity_before)
         });
         workspace.stopwatch().lap(Stage::Lagrange);
+    }
+
+    fn end_stage(&mut self, model: &Model, state: &mut State) {
+        self.unless_failed(|device| {
+            let arrays = device.held.arrays(model);
+            device.add_up(&arrays, &model.grid)?;
+            device.cells.take(&mut *device.driver, &arrays, &mut device.held.strained(&mut state.soil))
+        });
     }
 
     fn sums(&self) -> StageSums {
@@ -204,6 +216,47 @@ fn row_flags(model: &Model, workspace: &Workspace) -> Vec<u8> {
 }
 
 impl OnDevice {
+    /// Strains the soil and moves its nodes, those that contact needs first: they come back while the device
+    /// is at work on the others.
+    fn near_first(
+        &mut self,
+        materials: &[MaterialConstants],
+        arrays: &Arrays,
+        state: &mut State,
+        before: &mut [Vec<Real>; 3],
+    ) -> Done {
+        let nodes = self.near(arrays);
+        let [row, plane] = arrays.stride;
+        // A node moves under the forces of the cells round it.
+        let cells = [nodes[0].saturating_sub(plane + row + 1), nodes[1]];
+        let launch_moves = |driver: &mut dyn Driver, range: [usize; 2]| match range[1].checked_sub(range[0]) {
+            None | Some(0) => Ok(()),
+            Some(count) => launch(driver, Kernel::MoveNodes, count, &Arrays { range, ..*arrays }, &0_u64),
+        };
+        self.all_cells(materials, &Arrays { range: cells, ..*arrays }, false)?;
+        launch_moves(&mut *self.driver, nodes)?;
+        let [ahead, ago] = [self.held.ahead, 1 - self.held.ahead].map(|n| self.held.velocity[n]);
+        let ahead = ahead.into_iter().zip(&mut state.nodes.velocity);
+        let mut both: Vec<_> = ahead.chain(ago.into_iter().zip(before)).collect();
+        self.nodes.begin_taking(&mut *self.driver, arrays, &both)?;
+        for range in [[0, cells[0]], [cells[1], arrays.entries]] {
+            self.all_cells(materials, &Arrays { range, ..*arrays }, false)?;
+        }
+        for range in [[0, nodes[0]], [nodes[1], arrays.entries]] {
+            launch_moves(&mut *self.driver, range)?;
+        }
+        self.nodes.end_taking(&mut *self.driver, &mut both)
+    }
+
+    /// The rows of nodes, one after the other in memory, in which those lie that contact needs.
+    fn near(&self, arrays: &Arrays) -> [usize; 2] {
+        let ends = [self.nodes.entries.first(), self.nodes.entries.last()];
+        let [Some(first), Some(last)] = ends.map(|n| n.map(|n| *n as usize / arrays.stride[0])) else {
+            return [0, 0];
+        };
+        [first * arrays.stride[0], (last + 1) * arrays.stride[0]]
+    }
+
     /// Strains the cells of each material, or makes their stress admissible after a remap.
     pub(super) fn all_cells(
         &mut self,
@@ -211,7 +264,10 @@ impl OnDevice {
         arrays: &Arrays,
         is_after_remap: bool,
     ) -> Done {
-        let (driver, cells) = (&mut *self.driver, arrays.entries);
+        let (driver, cells) = (&mut *self.driver, arrays.range[1] - arrays.range[0]);
+        if cells == 0 {
+            return Ok(());
+        }
         for (n, material) in materials.iter().enumerate() {
             let kind = n as u8 + 1;
             macro_rules! strain {
@@ -246,6 +302,7 @@ impl OnDevice {
     fn add_up(&mut self, arrays: &Arrays, grid: &Grid) -> Done {
         let planes = grid.cells()[2] + 2;
         let driver = &mut *self.driver;
+        launch(driver, Kernel::SumLanes, 8 * planes * grid.rows(), arrays, &0_u64)?;
         launch(driver, Kernel::SumRows, planes * grid.rows(), arrays, &0_u64)?;
         launch(driver, Kernel::SumPlanes, planes * ROW_SUMS, arrays, &0_u64)?;
         launch(driver, Kernel::SumAll, ROW_SUMS * NUMBERS, arrays, &0_u64)?;
@@ -295,14 +352,6 @@ impl OnDevice {
         self.cells.renew(touched.cells, 7 + HISTORY_COUNT, driver)?;
         self.is_prepared = true;
         Ok(())
-    }
-
-    /// Takes the velocities of the contact nodes, ahead and before.
-    fn take_nodes(&mut self, arrays: &Arrays, state: &mut State, before: &mut [Vec<Real>; 3]) -> Done {
-        let [ahead, ago] = [self.held.ahead, 1 - self.held.ahead].map(|n| self.held.velocity[n]);
-        let ahead = ahead.into_iter().zip(&mut state.nodes.velocity);
-        let mut both: Vec<_> = ahead.chain(ago.into_iter().zip(before)).collect();
-        self.nodes.take(&mut *self.driver, arrays, &mut both)
     }
 }
 

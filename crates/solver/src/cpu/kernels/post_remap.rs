@@ -5,7 +5,7 @@ use super::constants;
 use super::remap::{Debris, new_fractions};
 use super::rows::post_remap::update_cells;
 use super::{PortionScratch, Real, Soil, Workspace};
-use crate::device::DeviceRemap;
+use crate::cpu::fields_on_device::DeviceRemap;
 use crate::fields::{HISTORY_COUNT, main_material, mass_as_main};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, Model};

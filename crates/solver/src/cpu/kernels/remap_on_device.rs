@@ -3,50 +3,24 @@
 
 use super::addresses::{Done, launch, pass, put};
 use super::cells::MaterialConstants;
-use super::device::Arrays;
+use super::device_arrays::Arrays;
 use super::device_remap::{Averaging, Closed, Elasticity, Pass};
-use super::listed::Listed;
+use super::listed::{Listed, Region};
 use super::nonlocal::{Spreading, passes};
 use super::on_device::OnDevice;
 use super::physics::sand::Sand;
 use super::sweep::closed_faces;
 use super::{Real, State};
-use crate::device::{Address, DeviceRemap, Driver, Touched};
+use crate::cpu::fields_on_device::DeviceRemap;
+use crate::device::{Address, Driver, Touched};
 use crate::fields::{Carrier, GAP_STRAIN, HISTORY, NONLOCAL_DENSITY};
-use crate::ghosts;
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, Model};
-use ::kernels::launch::{Kernel, LISTED};
+use ::kernels::launch::Kernel;
 use ::physics::elastic::Stiffening;
 use bytemuck::{cast_slice, cast_slice_mut};
 use glam::DVec3;
 use std::ptr::null;
-
-/// Cells and nodes that the processor works on during a remap.
-#[derive(Debug, Default)]
-pub(super) struct Region {
-    cells: Listed,
-    nodes: Listed,
-}
-
-impl Region {
-    /// Cells and nodes of the ghost layers and beside them.
-    pub(super) fn of_ghosts(grid: &Grid, driver: &mut dyn Driver) -> Done<Self> {
-        let mut own = Self::default();
-        own.renew(ghosts::touched(grid), driver)?;
-        Ok(own)
-    }
-
-    fn renew(&mut self, touched: Touched, driver: &mut dyn Driver) -> Done {
-        self.cells.renew(touched.cells, LISTED, driver)?;
-        self.nodes.renew(touched.nodes, 4, driver)
-    }
-
-    /// Sets the entries of the cells to zero.
-    fn clear(&self, array: &mut [Real]) {
-        self.cells.entries.iter().for_each(|c| array[*c as usize] = 0.0);
-    }
-}
 
 /// Whether numbers are taken from the device or given to it.
 #[derive(Clone, Copy, PartialEq)]

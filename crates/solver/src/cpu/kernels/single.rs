@@ -12,7 +12,8 @@ type Workspace = crate::cpu::workspace::SoilWorkspace<Real>;
 type PortionScratch = crate::cpu::workspace::PortionScratch<Real>;
 type Coefficients = crate::cpu::workspace::Coefficients<Real>;
 use ::kernels::single::{
-    self as rows, cells, device, device_remap, flux, nodes, remap, return_mapping, stress, transport,
+    self as rows, cells, device, device_arrays, device_remap, device_run, flux, nodes, remap, return_mapping,
+    stress, transport,
 };
 use physics::single as physics;
 

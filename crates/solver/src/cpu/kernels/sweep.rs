@@ -7,7 +7,7 @@ use super::flux::{FluxInputs, close_face};
 use super::remap;
 use super::transport::Sweep;
 use super::{Nodes, Real, Soil, State, Workspace};
-use crate::device::DeviceRemap;
+use crate::cpu::fields_on_device::DeviceRemap;
 use crate::fields::{Carrier, GAP_STRAIN, HISTORY, HistoryVariable};
 use crate::grid::Grid;
 use crate::model::Model;
@@ -87,25 +87,26 @@ pub(crate) fn sweep(
     }
     let grid = &model.grid;
     let layout = grid.layout();
-    let part = |row| part(&layout, row);
     let Workspace { team, partition, velocity_before, .. } = workspace;
+    let rows = |out: &mut [Real], job: &(dyn Fn(Part, &mut [Real]) + Sync)| {
+        team.rows(partition, out, |row, out| job(part(&layout, row), out));
+    };
     let Scratch { soil, cell, flux } = Scratch::of(velocity_before);
-    team.rows(partition, &mut state.soil.fraction, |row, out| {
-        let own = row * out.len()..(row + 1) * out.len();
-        remap::volume_fractions(&soil[own.clone()], &cell[own], out);
+    rows(&mut state.soil.fraction, &|Part { start, length }, out| {
+        remap::volume_fractions(&soil[start..start + length], &cell[start..start + length], out);
     });
     let Soil { fraction, mass, stress, history, composition, .. } = &mut state.soil;
     let Nodes { velocity, displacement, mass: node_mass } = &mut state.nodes;
     let displacement = &mut displacement[axis];
     let sweep = Sweep { layout, axis, row_active: active };
     let inputs = FluxInputs { sweep, displacement, fraction, soil, cell };
-    team.rows(partition, flux, |row, out| inputs.volume_fluxes(part(row), out));
+    rows(flux, &|part, out| inputs.volume_fluxes(part, out));
     for (face, side) in closed_faces(filled, grid.stride[axis]) {
         close_face(&mut flux[face], side);
     }
-    team.rows(partition, cell, |row, out| sweep.undo_displacement(part(row), displacement, out));
+    rows(cell, &|part, out| sweep.undo_displacement(part, displacement, out));
     let reach = displacement;
-    team.rows(partition, reach, |row, out| sweep.reaches(part(row), [flux, fraction, soil], out));
+    rows(reach, &|part, out| sweep.reaches(part, [flux, fraction, soil], out));
     let spare = fraction;
     let faces: [&[Real]; 2] = [flux, reach];
     let needed = history.iter_mut().zip(HISTORY).filter(|(field, _)| !field.is_empty());
@@ -113,30 +114,42 @@ pub(crate) fn sweep(
         needed.partition(|(_, variable)| variable.carrier == Carrier::Volume);
     let fields = |list: Vec<(_, HistoryVariable)>| list.into_iter().map(|(field, _)| field);
     for field in stress.iter_mut().chain(fields(by_volume)).chain(composition) {
-        team.rows(partition, spare, |row, out| sweep.carry(part(row), [soil, field], faces, out));
+        rows(spare, &|part, out| sweep.carry(part, [soil, field], faces, out));
         std::mem::swap(field, spare);
     }
-    team.rows(partition, spare, |row, out| sweep.mass_fluxes(part(row), [soil, mass], faces, out));
-    team.rows(partition, soil, |row, out| sweep.difference(part(row), flux, out));
+    rows(spare, &|part, out| sweep.mass_fluxes(part, [soil, mass], faces, out));
+    rows(soil, &|part, out| sweep.difference(part, flux, out));
     // The volume flux is done with: room for what the mass carries, then for the dual flux.
     for field in fields(by_mass) {
         let faces: [&[Real]; 2] = [spare, reach];
-        team.rows(partition, flux, |row, out| sweep.carry(part(row), [mass, field], faces, out));
+        rows(flux, &|part, out| sweep.carry(part, [mass, field], faces, out));
         std::mem::swap(field, flux);
     }
-    team.rows(partition, mass, |row, out| sweep.difference(part(row), spare, out));
-    // The mass flux is in `spare`.
-    team.rows(partition, flux, |row, out| sweep.dual_fluxes(part(row), spare, out));
-    let mass_moved = model.mass_moved() as Real;
-    team.rows(partition, reach, |row, out| {
-        sweep.dual_reaches(part(row), [node_mass, flux], mass_moved, out);
-    });
+    rows(mass, &|part, out| sweep.difference(part, spare, out));
+    let scratch = [flux, reach, spare];
+    carry_momentum(&rows, &sweep, velocity, node_mass, scratch, model.mass_moved() as Real);
+}
+
+/// Calls a job for every row of an array, in parallel.
+type Rows<'a> = dyn Fn(&mut [Real], &(dyn Fn(Part, &mut [Real]) + Sync)) + 'a;
+
+/// The end of a sweep: momentum is carried with the mass whose flux is in the last of the scratch arrays.
+fn carry_momentum(
+    rows: &Rows,
+    sweep: &Sweep,
+    velocity: &mut [Vec<Real>; 3],
+    node_mass: &mut [Real],
+    [flux, reach, spare]: [&mut Vec<Real>; 3],
+    mass_moved: Real,
+) {
+    rows(flux, &|part, out| sweep.dual_fluxes(part, spare, out));
+    rows(reach, &|part, out| sweep.dual_reaches(part, [node_mass, flux], mass_moved, out));
     for velocity in velocity {
         let inputs: [&[Real]; 4] = [velocity, node_mass, flux, reach];
-        team.rows(partition, spare, |row, out| sweep.carry_momentum(part(row), inputs, out));
+        rows(spare, &|part, out| sweep.carry_momentum(part, inputs, out));
         std::mem::swap(velocity, spare);
     }
-    team.rows(partition, node_mass, |row, out| sweep.carry_mass(part(row), flux, out));
+    rows(node_mass, &|part, out| sweep.carry_mass(part, flux, out));
 }
 
 /// The faces through which nothing may flow into one of the `filled` cells, in the order of the memory, but

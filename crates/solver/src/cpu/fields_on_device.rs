@@ -1,9 +1,8 @@
 //! What a device with the fields of a grid does for a step, in either precision.
 
-use super::driver::{DeviceError, Driver};
-use super::touched::Touched;
-use crate::cpu::stage_sums::StageSums;
-use crate::cpu::workspace::SoilWorkspace;
+use super::stage_sums::StageSums;
+use super::workspace::SoilWorkspace;
+use crate::device::{DeviceError, Driver, Touched};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -11,7 +10,8 @@ use glam::DVec3;
 
 /// The Lagrangian stage on a device.
 pub trait DeviceStage<R: Scalar>: Sized {
-    /// Reserves the arrays of a grid on a device, and hands over what never changes.
+    /// Reserves the arrays of a grid on a device, and hands over what never changes, and which cells and
+    /// nodes remaps exchange beyond open boundaries.
     ///
     /// # Errors
     /// [`DeviceError`] if the device has not enough memory.
@@ -19,6 +19,7 @@ pub trait DeviceStage<R: Scalar>: Sized {
         model: &Model,
         state: &State<R>,
         workspace: &SoilWorkspace<R>,
+        ghosts: Touched,
         driver: Box<dyn Driver>,
     ) -> Result<Self, DeviceError>;
 
@@ -37,7 +38,8 @@ pub trait DeviceStage<R: Scalar>: Sized {
     /// Makes the state on the processor complete.
     fn bring_home(&mut self, state: &mut State<R>);
 
-    /// Strains the soil and moves its nodes by one step. Only what is `touched` comes back.
+    /// Has the device strain the soil and move its nodes by one step. Of what is `touched` the nodes have
+    /// come back; the device may still be at work on the rest.
     fn strain(
         &mut self,
         model: &Model,
@@ -45,6 +47,9 @@ pub trait DeviceStage<R: Scalar>: Sized {
         workspace: &mut SoilWorkspace<R>,
         touched: &dyn Fn() -> Touched,
     );
+
+    /// Waits until the stage is done; its sums are known then, and the cells that are touched.
+    fn end_stage(&mut self, model: &Model, state: &mut State<R>);
 
     /// Sums of the last Lagrangian stage.
     fn sums(&self) -> StageSums;
@@ -99,4 +104,22 @@ pub trait DeviceRemap<R: Scalar> {
 
     /// Renews the nonlocal densities of the only sand, and takes them from the device.
     fn average_density(&mut self, model: &Model, density: &mut [R]);
+}
+
+impl<R: Scalar<OnDevice: DeviceStage<R> + DeviceRemap<R>>> SoilWorkspace<R> {
+    /// Sums of the Lagrangian stage over the block, once a device has done it.
+    pub(crate) fn end_stage(&mut self, model: &Model, state: &mut State<R>) -> StageSums {
+        match &mut self.device {
+            Some(device) => {
+                device.end_stage(model, state);
+                device.sums()
+            }
+            None => self.sums_of_stage(),
+        }
+    }
+
+    /// The device, if there is one that remaps the soil.
+    pub(crate) fn remapping(&mut self) -> Option<&mut R::OnDevice> {
+        self.device.as_mut().filter(|device| device.remaps())
+    }
 }
