@@ -40,7 +40,7 @@ impl EffectiveMass {
 
     /// The impulse on a constraint with this normal and impulse after one relaxation from this relative
     /// velocity, projected on the Coulomb cone.
-    #[inline]
+    #[inline(always)]
     pub(super) fn projected_impulse(
         &self,
         relative: DVec3,

@@ -17,17 +17,17 @@ use multiversion::multiversion;
 struct Lanes([f64; 4]);
 
 impl Lanes {
-    #[inline]
+    #[inline(always)]
     fn of(v: DVec3) -> Self {
         Self([v.x, v.y, v.z, 0.0])
     }
 
-    #[inline]
+    #[inline(always)]
     fn vector(self) -> DVec3 {
         DVec3::new(self.0[0], self.0[1], self.0[2])
     }
 
-    #[inline]
+    #[inline(always)]
     fn dot(self, other: Self) -> f64 {
         let Self([x, y, z, _]) = self * other;
         x + y + z
@@ -36,7 +36,7 @@ impl Lanes {
 
 impl std::ops::Add for Lanes {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let ([a, b, c, d], [p, q, r, s]) = (self.0, other.0);
         Self([a + p, b + q, c + r, d + s])
@@ -45,7 +45,7 @@ impl std::ops::Add for Lanes {
 
 impl std::ops::Mul for Lanes {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let ([a, b, c, d], [p, q, r, s]) = (self.0, other.0);
         Self([a * p, b * q, c * r, d * s])
@@ -54,7 +54,7 @@ impl std::ops::Mul for Lanes {
 
 impl std::ops::Mul<Lanes> for f64 {
     type Output = Lanes;
-    #[inline]
+    #[inline(always)]
     fn mul(self, v: Lanes) -> Lanes {
         let [a, b, c, d] = v.0;
         Lanes([self * a, self * b, self * c, self * d])
@@ -95,7 +95,7 @@ struct SweptConstraint {
 impl SweptConstraint {
     /// Relative velocity [m/s], including the cut-cell correction, so that it is work-conjugate to the
     /// impulse.
-    #[inline]
+    #[inline(always)]
     fn slip_velocity(&self, nodes: &[SweptNode], body: &StruckBody) -> DVec3 {
         let (mut soil, mut corrected) = ([Lanes::default(); 8], [0.0; 8]);
         for n in 0..8 {
@@ -107,7 +107,7 @@ impl SweptConstraint {
     }
 
     /// The impulse after one relaxation.
-    #[inline]
+    #[inline(always)]
     fn relaxed(&self, nodes: &[SweptNode], bodies: &[StruckBody], relaxation: f64) -> DVec3 {
         let Some(mass) = &self.mass else { return self.impulse };
         let relative = self.slip_velocity(nodes, &bodies[self.body]);
@@ -115,7 +115,7 @@ impl SweptConstraint {
     }
 
     /// Changes of the nodes' velocities by an impulse on the soil [m/s].
-    #[inline]
+    #[inline(always)]
     fn gains(&self, nodes: &[SweptNode], impulse: DVec3) -> [Lanes; 8] {
         let (along, impulse) = (impulse.dot(self.normal), Lanes::of(impulse));
         let mut gains = [Lanes::default(); 8];
@@ -271,7 +271,7 @@ fn sweep(times: usize, groups: &[Group], constraints: &mut [SweptConstraint], (n
 }
 
 impl Group {
-    #[inline]
+    #[inline(always)]
     fn relax(&self, constraints: &mut [SweptConstraint], (nodes, bodies): Velocities) {
         let first = constraints[self.first].relaxed(nodes, bodies, self.relaxation);
         let is_single = self.first == self.second;
@@ -285,7 +285,7 @@ impl Group {
     }
 
     /// Applies impulses at the constraints to soil and bodies; swapping two constraints changes no bit.
-    #[inline]
+    #[inline(always)]
     fn apply(&self, impulse: [DVec3; 2], constraints: &[SweptConstraint], (nodes, bodies): Velocities) {
         if impulse == [DVec3::ZERO; 2] {
             return;
@@ -306,7 +306,12 @@ impl Group {
         for (node, own) in first.nodes.iter().zip(gains) {
             let shared = second.nodes.iter().position(|other| other == node);
             let velocity = &mut nodes[*node as usize].velocity;
-            *velocity = *velocity + shared.map_or(own, |m| own + others[m]);
+            // Not a closure: the wide version of the sweeps would leave it to the narrow one.
+            let both = match shared {
+                Some(m) => own + others[m],
+                None => own,
+            };
+            *velocity = *velocity + both;
         }
         for (node, own) in second.nodes.iter().zip(others).filter(|(node, _)| !first.nodes.contains(node)) {
             let velocity = &mut nodes[*node as usize].velocity;

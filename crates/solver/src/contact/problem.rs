@@ -70,6 +70,7 @@ pub(crate) fn corners([x, y, z]: [usize; 3]) -> [usize; 8] {
 }
 
 /// Sum over a cell's corners, in an order for which mirroring in y changes no bit.
+#[inline(always)]
 pub(crate) fn over_corners<T: Copy + std::ops::Add<Output = T>>(v: [T; 8]) -> T {
     ((v[0] + v[2]) + (v[1] + v[3])) + ((v[4] + v[6]) + (v[5] + v[7]))
 }
