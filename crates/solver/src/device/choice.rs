@@ -9,6 +9,7 @@ use crate::model::Model;
 use crate::scalar::Scalar;
 use ::kernels::launch::{MEASURED, POWERS, PlaneSum, ROW_SUMS};
 use ::kernels::sums::COEFFICIENTS;
+use std::fmt;
 use std::str::FromStr;
 
 /// What strains the soil of a run.
@@ -36,6 +37,17 @@ impl FromStr for Device {
             _ => number(name).map(Self::Gpu).ok_or_else(|| {
                 format!("`{name}` is no device: cpu, gpu, gpu:N for the card of number N, or stand-in")
             }),
+        }
+    }
+}
+
+impl fmt::Display for Device {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Processor => write!(f, "cpu"),
+            Self::Gpu(0) => write!(f, "gpu"),
+            Self::Gpu(number) => write!(f, "gpu:{number}"),
+            Self::StandIn => write!(f, "stand-in"),
         }
     }
 }
@@ -90,4 +102,17 @@ pub fn footprint<R: Scalar>(model: &Model) -> f64 {
     let (rows, planes) = (model.grid.rows() * (model.grid.cells()[2] + 3), model.grid.cells()[2] + 2);
     let sums = rows * (ROW_SUMS * size_of::<f64>() + 2) + planes * ROW_SUMS * size_of::<PlaneSum>();
     (per_entry * model.grid.entries + sums) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_device_is_read_as_it_is_written() {
+        for device in [Device::Processor, Device::Gpu(0), Device::Gpu(3), Device::StandIn] {
+            assert_eq!(device.to_string().parse(), Ok(device));
+        }
+        assert!("gpu:".parse::<Device>().is_err() && "card".parse::<Device>().is_err());
+    }
 }

@@ -71,9 +71,7 @@ impl Command {
 fn options(wish: &Wish) -> String {
     let device = match wish.device {
         Device::Processor => String::new(),
-        Device::Gpu(0) => " --device gpu".to_owned(),
-        Device::Gpu(number) => format!(" --device gpu:{number}"),
-        Device::StandIn => " --device stand-in".to_owned(),
+        device => format!(" --device {device}"),
     };
     format!("--threads {}{device}", wish.threads)
 }
