@@ -123,7 +123,7 @@ pub unsafe fn strain<L, const HISTORY: u32>(
         };
         let mut cells = CellRow {
             fraction: from_raw_parts(a.fraction.add(c), 1),
-            mass: from_raw_parts(a.soil_mass.add(c), 1),
+            mass: from_raw_parts(a.soil_mass.add(c).cast_const(), 1),
             stress: a.stress.map(|s| from_raw_parts_mut(s.add(c), 1)),
             history: std::array::from_fn(|h| {
                 let is_needed = HISTORY & (1 << h) != 0;
@@ -143,6 +143,9 @@ pub unsafe fn strain<L, const HISTORY: u32>(
         }
         if material.is_after_remap {
             put_back(&mut cells, block);
+            if block.bears_stress[0] <= 0.0 {
+                forget::<HISTORY>(a, c);
+            }
             return;
         }
         if !a.has_cubes {
@@ -181,6 +184,20 @@ unsafe fn trial_stress<L>(
     }
 }
 
+/// Forgets the history variables of a cell that its own law does not need.
+///
+/// # Safety
+/// There must be such a cell.
+#[inline(always)]
+unsafe fn forget<const HISTORY: u32>(a: &Arrays, c: usize) {
+    for (h, field) in a.history.iter().enumerate() {
+        if HISTORY & (1 << h) == 0 && !field.is_null() {
+            // SAFETY: as the caller promises.
+            unsafe { *field.add(c) = 0.0 };
+        }
+    }
+}
+
 /// Whether a cell is strained as this material, or, after a remap, lies in a row that may hold soil.
 ///
 /// # Safety
@@ -194,7 +211,8 @@ unsafe fn is_concerned<L>(a: &Arrays, material: &Material<L>, c: usize) -> bool 
     unsafe {
         if material.is_after_remap {
             let is_cell = (1..=nx).contains(&column) && (1..=ny).contains(&q) && (1..=nz).contains(&p);
-            is_cell && *a.row_active.add(c / row)
+            let is_own = a.materials == 1 || *a.kind.add(c) == material.kind;
+            is_cell && *a.row_active.add(c / row) && is_own
         } else {
             *a.kind.add(c) == material.kind
         }
@@ -376,7 +394,7 @@ unsafe fn each_block(a: &Arrays, r: usize, mut job: impl FnMut(CellsOfBlock, boo
     }
     for (part, [first, end]) in a.columns.into_iter().enumerate() {
         // SAFETY: the columns are those of a row.
-        let kinds = unsafe { from_raw_parts(a.kind.add(start), end) };
+        let kinds = unsafe { from_raw_parts(a.kind.add(start).cast_const(), end) };
         for (run, _) in runs(kinds, first..end) {
             let size = block_size(run.len());
             for first in run.clone().step_by(size) {

@@ -3,7 +3,7 @@
 use super::Real;
 use super::nodes::NodeConstants;
 use crate::history::HISTORY_COUNT;
-use crate::launch::{MEASURED, POWERS, PlaneSum, ROW_SUMS, Totals};
+use crate::launch::{MATERIALS, MEASURED, POWERS, PlaneSum, ROW_SUMS, Totals};
 use crate::sums::COEFFICIENTS;
 
 /// Addresses of the arrays on the device, and constants of all cells and nodes.
@@ -41,7 +41,7 @@ pub struct Arrays {
     /// How a row is treated: [`STRAINED`] and the other flags.
     pub row_flags: *const u8,
     /// Number of a cell's material, from 1 on; 0 for a cell that is not strained.
-    pub kind: *const u8,
+    pub kind: *mut u8,
     /// Which components of a node's velocity boundaries hold: one bit for each.
     pub held: *const u8,
     /// Widths of the columns [m], 0 in ghosts, and ¼ of their inverses.
@@ -51,7 +51,15 @@ pub struct Arrays {
     /// Volume fractions.
     pub fraction: *const Real,
     /// Masses of the cells [kg], as if all soil of a cell were of its main material.
-    pub soil_mass: *const Real,
+    pub soil_mass: *mut Real,
+    /// Number of materials.
+    pub materials: usize,
+    /// Densities of the undeformed materials [kg/m³].
+    pub densities: [f64; MATERIALS],
+    /// Masses of the cells [kg].
+    pub cell_mass: *const Real,
+    /// Fractions of the soil that are of the second material, the third, ….
+    pub composition: [*const Real; MATERIALS - 1],
     /// Masses of the nodes [kg].
     pub mass: *const Real,
     /// Stresses [Pa].

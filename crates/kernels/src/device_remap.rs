@@ -14,6 +14,7 @@ use super::remap;
 use super::transport::Sweep;
 use crate::launch::INSIDE;
 use crate::layout::{LANES, Layout, Part};
+use crate::mixture::{main_material, mass_as_main};
 use ::physics::elastic::{Elastic, Stiffening};
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
@@ -48,7 +49,7 @@ pub struct Closed {
     pub flux: *mut Real,
 }
 
-/// The elastic law of the only material.
+/// The elastic law of a material.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Elasticity {
@@ -58,6 +59,8 @@ pub struct Elasticity {
     pub stiffening: Stiffening,
     /// Whether they do.
     pub stiffens: bool,
+    /// The material's number, from 1 on.
+    pub kind: u8,
 }
 
 /// What a kernel of the average of the sand's density reads and writes, and the sand.
@@ -70,6 +73,8 @@ pub struct Averaging {
     pub weights: *const [Real; 2],
     /// The law of the sand.
     pub law: Sand,
+    /// Its number, from 1 on.
+    pub kind: u8,
 }
 
 /// What all kernels here know of their thread.
@@ -233,6 +238,26 @@ impl Own<'_> {
     }
 }
 
+/// Finds the main material of a cell, and its mass if all its soil were of that.
+///
+/// # Safety
+/// The addresses must be those of arrays of the grid, and no other thread may have the same cell.
+#[inline(always)]
+pub unsafe fn mix(a: &Arrays, c: usize) {
+    let ([row, plane], [nx, ny, nz]) = (a.stride, a.cells);
+    let layers = [c % row, c % plane / row, c / plane];
+    let is_cell = layers.into_iter().zip([nx, ny, nz]).all(|(n, count)| (1..=count).contains(&n));
+    // SAFETY: all addresses are those of the cell, or of its row.
+    unsafe {
+        if is_cell && *a.row_active.add(c / row) {
+            let others = a.composition.iter().take(a.materials - 1).map(|portion| f64::from(*portion.add(c)));
+            let densities = &a.densities[..a.materials];
+            *a.kind.add(c) = 1 + main_material(others.clone()) as u8;
+            *a.soil_mass.add(c) = mass_as_main(densities, others, f64::from(*a.cell_mass.add(c))) as Real;
+        }
+    }
+}
+
 /// Lets nothing flow through a face to one side.
 ///
 /// # Safety
@@ -276,7 +301,8 @@ pub unsafe fn new_fractions(a: &Arrays, pass: &Pass, r: usize) {
     }
 }
 
-/// Elastic and kinetic energy of a row become its first two sums.
+/// Elastic energy of the first material and kinetic energy of a row become its first two sums; the elastic
+/// energy of other materials is added.
 ///
 /// # Safety
 /// The addresses must be those of arrays of the grid, and no other thread may have the same row.
@@ -298,10 +324,16 @@ pub unsafe fn row_energies(a: &Arrays, law: &Elasticity, r: usize) {
                 faces: &layout.faces[0][first..=end],
                 fraction: from_raw_parts(a.fraction.add(start), n),
                 across: layout.width(1, q - 1) * layout.width(2, p - 1),
+                kinds: if a.materials > 1 { from_raw_parts(a.kind.add(start).cast_const(), n) } else { &[] },
+                kind: law.kind,
             };
             let stress = a.stress.map(|s| from_raw_parts(s.add(start).cast_const(), n));
             let stiffening = if law.stiffens { Some(&law.stiffening) } else { None };
             elastic = elastic_row(&law.elastic, stiffening, cells, stress);
+        }
+        if law.kind > 1 {
+            *a.row_sums[0].add(r) += elastic;
+            return;
         }
         let own = |array: *const Real| from_raw_parts(array.add(r * row), row);
         let kinetic = kinetic_row(own(a.mass), a.velocity[0].map(|v| own(v.cast_const())));
@@ -310,12 +342,12 @@ pub unsafe fn row_energies(a: &Arrays, law: &Elasticity, r: usize) {
 }
 
 impl<'a> Own<'a> {
-    /// The only sand of the grid.
+    /// The sand of the grid that is averaged.
     ///
     /// # Safety
     /// The addresses must be those of arrays of the grid.
     #[inline(always)]
-    unsafe fn averaged(&self, law: &'a Sand) -> Averaged<'a> {
+    unsafe fn averaged(&self, law: &'a Sand, kind: u8) -> Averaged<'a> {
         let a = self.arrays;
         // SAFETY: as the caller promises.
         unsafe {
@@ -324,9 +356,9 @@ impl<'a> Own<'a> {
                 width_x: from_raw_parts(a.width_x[0], a.stride[0]),
                 law,
                 fraction: from_raw_parts(a.fraction, a.entries),
-                mass: from_raw_parts(a.soil_mass, a.entries),
-                material: &[],
-                number: 0,
+                mass: from_raw_parts(a.soil_mass.cast_const(), a.entries),
+                material: if a.materials > 1 { from_raw_parts(a.kind.cast_const(), a.entries) } else { &[] },
+                number: kind,
             }
         }
     }
@@ -340,7 +372,9 @@ impl<'a> Own<'a> {
 pub unsafe fn collect_density(a: &Arrays, averaging: &Averaging, n: usize) {
     if let Some(own) = Own::new(a, &averaging.pass, n) {
         // SAFETY: as the caller promises.
-        unsafe { own.averaged(&averaging.law).collect(own.part, [own.output(0), own.output(1)]) }
+        unsafe {
+            own.averaged(&averaging.law, averaging.kind).collect(own.part, [own.output(0), own.output(1)])
+        }
     }
 }
 
@@ -370,7 +404,7 @@ pub unsafe fn store_density(a: &Arrays, averaging: &Averaging, n: usize) {
         // SAFETY: as the caller promises.
         unsafe {
             let averages = [own.input(0), own.input(1)];
-            own.averaged(&averaging.law).store(own.part, averages, own.output(0));
+            own.averaged(&averaging.law, averaging.kind).store(own.part, averages, own.output(0));
         }
     }
 }

@@ -9,7 +9,7 @@ use super::device::{
 use super::device_arrays::Arrays;
 use super::device_remap::{
     Averaging, Closed, Elasticity, Pass, carry, carry_mass, carry_momentum, close, collect_density,
-    difference, displaced_volumes, dual_flux, dual_reach, mass_flux, new_fractions, nodal_mass, reach,
+    difference, displaced_volumes, dual_flux, dual_reach, mass_flux, mix, new_fractions, nodal_mass, reach,
     row_energies, shift, spread_density, stop_massless, store_density, take_back, undo_displacement,
     volume_flux, volume_fraction,
 };

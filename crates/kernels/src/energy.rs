@@ -15,6 +15,10 @@ pub struct Cells<'a> {
     pub fraction: &'a [Real],
     /// Area of the cells across x [m²].
     pub across: f64,
+    /// Kind of each cell; empty where all count.
+    pub kinds: &'a [u8],
+    /// The kind that counts.
+    pub kind: u8,
 }
 
 /// Elastic energy of the soil of a material in a row of cells [J], from their stresses [Pa].
@@ -46,7 +50,7 @@ fn stiffening_row(elastic: &Elastic, stiffening: &Stiffening, cells: Cells, stre
 #[inline(always)]
 fn sum_of_row(
     density: impl Fn(Symmetric) -> f64,
-    Cells { faces, fraction, across }: Cells,
+    Cells { faces, fraction, across, kinds, kind }: Cells,
     stress: [&[Real]; 6],
 ) -> f64 {
     let mut lanes = [0.0; LANES];
@@ -58,6 +62,7 @@ fn sum_of_row(
         let f = &fraction[start..start + LANES];
         let [xx, yy, zz, xy, yz, xz] = stress.map(|s| &s[start..start + LANES]);
         for l in 0..LANES {
+            let f = if kinds.is_empty() || kinds[start + l] == kind { f[l] } else { 0.0 };
             let stress = [
                 f64::from(xx[l]),
                 f64::from(yy[l]),
@@ -66,7 +71,7 @@ fn sum_of_row(
                 f64::from(yz[l]),
                 f64::from(xz[l]),
             ];
-            lanes[l] += f64::from(f[l]) * (width[l] * across) * density(stress);
+            lanes[l] += f64::from(f) * (width[l] * across) * density(stress);
         }
     }
     total_of(lanes)

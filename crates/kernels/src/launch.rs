@@ -44,8 +44,10 @@ pub struct Totals {
     pub most: [f64; 2],
 }
 
+/// Most materials of soil that a device remaps.
+pub const MATERIALS: usize = 8;
 /// Most arrays of which a list takes or gives numbers: those of the cells, and volumes of soil and cells.
-pub const LISTED: usize = 3 + 6 + HISTORY_COUNT + 2;
+pub const LISTED: usize = 3 + 6 + HISTORY_COUNT + MATERIALS - 1 + 2;
 
 /// Nodes or cells, and numbers of each.
 #[derive(Clone, Copy, Debug)]
@@ -100,6 +102,7 @@ macro_rules! each_kernel {
             TakeBack remap_take_back(Pass): |a, more, _block, n| take_back(a, more, n);
             Shift remap_shift(Pass): |a, more, _block, n| shift(a, more, n);
             NewFractions remap_new_fractions(Pass): |a, more, _block, n| new_fractions(a, more, n);
+            Mix remap_mix(u64): |a, _more, _block, n| mix(a, n);
             Close remap_close(Closed): |_a, more, _block, n| close(more, n);
             CollectDensity collect_density_of(Averaging): |a, more, _block, n| collect_density(a, more, n);
             SpreadDensity spread_density_of(Averaging): |a, more, _block, n| spread_density(a, more, n);

@@ -12,6 +12,7 @@ pub mod exact_sum;
 pub mod history;
 pub mod launch;
 pub mod layout;
+pub mod mixture;
 pub mod single;
 pub mod sums;
 

@@ -34,13 +34,13 @@ const REACH: usize = GHOSTS - 1;
 /// of the cells; a void beside a body is the body's to close.
 pub(crate) fn lend<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
     let cells = enclosed(model, &mut state.soil, workspace);
-    if let Some(device) = workspace.remapping() {
+    if let Some(device) = &mut workspace.device {
         device.clear_apart(model);
         let own = cells.iter().map(|(cell, _)| *cell);
         device.take_round(model, state, Touched::of(std::iter::empty(), own));
     }
     cells.iter().for_each(|(cell, void)| lend_one(model, &mut state.soil, *cell, *void));
-    if let Some(device) = workspace.remapping() {
+    if let Some(device) = &mut workspace.device {
         device.give_round(model, state);
     }
 }

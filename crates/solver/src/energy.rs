@@ -33,7 +33,7 @@ pub(crate) fn total<R: Kernels>(
     halo: &Halo,
 ) -> f64 {
     let SoilWorkspace { team, partition, row_values, device, .. } = workspace;
-    if let Some(device) = device.as_mut().filter(|device| device.remaps()) {
+    if let Some(device) = device {
         device.energies(model, row_values);
     } else {
         team.distribute(partition.split_by(1, row_values).zip(partition.ranges()), |(values, rows)| {

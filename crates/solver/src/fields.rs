@@ -5,6 +5,7 @@
 
 use crate::grid::Grid;
 pub use ::kernels::history::*;
+use ::kernels::mixture;
 use serde::{Deserialize, Serialize};
 
 /// Names of the stress components, in the order of [`Soil::stress`].
@@ -112,10 +113,7 @@ impl<R: Copy + Into<f64>> Soil<R> {
 
 /// Number of the main material of a cell, from the fractions of the second material, the third, ….
 pub(crate) fn main_material<R: Copy + Into<f64>>(composition: &[Vec<R>], cell: usize) -> usize {
-    let others = || composition.iter().map(|portion| portion[cell].into());
-    let first = (0, 1.0 - others().sum::<f64>());
-    let most = |a: (usize, f64), b: (usize, f64)| if b.1 > a.1 { b } else { a };
-    others().enumerate().map(|(n, portion)| (n + 1, portion)).fold(first, most).0
+    mixture::main_material(composition.iter().map(|portion| portion[cell].into()))
 }
 
 /// Mass of a cell [kg] if all of its soil, as compressed as it is, were of its main material, from the mass
@@ -126,10 +124,8 @@ pub(crate) fn mass_as_main<R: Copy + Into<f64>>(
     mass: f64,
     cell: usize,
 ) -> f64 {
-    let others = densities[1..].iter().zip(composition);
-    let mixed = others
-        .fold(densities[0], |sum, (density, portion)| sum + portion[cell].into() * (density - densities[0]));
-    mass * densities[main_material(composition, cell)] / mixed
+    let others = composition.iter().map(|portion| portion[cell].into());
+    mixture::mass_as_main(densities, others, mass)
 }
 
 impl<R> Nodes<R> {

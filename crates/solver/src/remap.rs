@@ -60,7 +60,7 @@ pub fn remap<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut Wo
     fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
     contact::remove_overlap(model, state, soil, contact, halo);
     contact::carry(model, state, &contact.body_cells);
-    if let Some(device) = soil.remapping() {
+    if let Some(device) = &mut soil.device {
         device.give_round(model, state);
     }
     R::stop_massless(model, state, soil);
@@ -106,7 +106,7 @@ fn fill_swept<R: Kernels>(
 /// Takes what lies in the ghost layers and beside them from a device.
 fn take_ghosts<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
     let SoilWorkspace { device, velocity_before, .. } = workspace;
-    if let Some(device) = device.as_mut().filter(|device| device.remaps()) {
+    if let Some(device) = device {
         device.take_ghosts(model, state, velocity_before);
     }
 }
@@ -114,7 +114,7 @@ fn take_ghosts<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut 
 /// Gives it back.
 fn give_ghosts<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
     let SoilWorkspace { device, velocity_before, .. } = workspace;
-    if let Some(device) = device.as_mut().filter(|device| device.remaps()) {
+    if let Some(device) = device {
         device.give_ghosts(model, state, velocity_before);
     }
 }

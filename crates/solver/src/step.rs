@@ -77,7 +77,6 @@ pub(crate) fn stages<R: Kernels>(
     state.step += 1;
     // Eulerian stage, only when the soil has moved far enough to need it.
     if is_remap_due(model, state, &sums) {
-        workspace.prepare_remap(state);
         remap(model, state, workspace);
         let Workspace { soil, contact, seepage, halo, .. } = workspace;
         contact::search(model, state, soil, contact, halo);

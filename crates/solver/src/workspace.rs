@@ -160,13 +160,6 @@ impl<R: Kernels> Workspace<R> {
         }
     }
 
-    /// Completes the state before a remap, unless the device takes this, too.
-    pub(crate) fn prepare_remap(&mut self, state: &mut State<R>) {
-        if self.soil.remapping().is_none() {
-            self.bring_home(state, true);
-        }
-    }
-
     /// Whether the state is complete without what a device holds.
     #[must_use]
     pub fn is_home(&self) -> bool {

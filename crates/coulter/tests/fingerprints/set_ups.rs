@@ -30,7 +30,7 @@ const OFTEN: &str = "numerics.remap_displacement=0.01";
 const PENALTY: &str = "numerics.contact=\"penalty\"";
 
 /// Every family of the verification suite, both precisions, both contact methods, one to three threads.
-pub const SET_UPS: [SetUp; 34] = [
+pub const SET_UPS: [SetUp; 35] = [
     set_up(
         "sand at rest",
         "validation/A4_soil_at_rest/case.toml",
@@ -102,8 +102,16 @@ pub const SET_UPS: [SetUp; 34] = [
     set_up("disc on a boulder", "cases/disc_over_boulder.toml", BOULDER, 2, 200),
     set_up("softening bank", "validation/B5n_softening_bank/case.toml", SOFTENING, 2, 400),
     set_up("two layers", "validation/B11_two_layers/case.toml", LAYERS, 2, 300),
+    // Three laws, an average, and ground that enters a travelling grid.
+    set_up("disc over three soils", "validation/A8_repeatability/case.toml", THREE_SOILS, 2, 400),
 ];
 const SOFTENING: &[&str] = &["grid.cell=\"125 mm\"", OFTEN, "body.wall.forward.ramp=\"10 ms\""];
+const THREE_SOILS: &[&str] = &[
+    OFTEN,
+    "layer.middle={ top = \"15 mm\", law = \"sand\", critical_friction_angle = \"32 deg\", minimum_density = \"1400 kg/m^3\", maximum_density = \"1700 kg/m^3\", relative_density = 0.5, characteristic_length = \"60 mm\", young_modulus = \"5 MPa\", poisson_ratio = 0.3 }",
+    "layer.lower={ top = \"30 mm\", law = \"tresca\", shear_strength = \"3 kPa\", density = \"1800 kg/m^3\", young_modulus = \"5 MPa\", poisson_ratio = 0.45 }",
+    "grid.follow={ body = \"disc\", axes = \"x\" }",
+];
 const LAYERS: &[&str] = &[
     "grid.cell=\"125 mm\"",
     OFTEN,

@@ -38,7 +38,7 @@ pub(crate) fn remove_overlap<R: Kernels>(
     halo: &Halo,
 ) {
     find_bodies(model, state, soil, &mut contact.body_cells);
-    if let Some(device) = soil.remapping() {
+    if let Some(device) = &mut soil.device {
         device.take_round(model, state, near(&model.grid, &contact.body_cells));
     }
     let own = contact.body_cells.iter().map(|c| c.cell);

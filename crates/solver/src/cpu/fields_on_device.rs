@@ -61,9 +61,6 @@ pub trait DeviceStage<R: Scalar>: Sized {
 /// A remap on a device: what [`remap`](crate::remap) does with the soil's fields. Afterwards volume fractions
 /// and masses are known to the processor, too.
 pub trait DeviceRemap<R: Scalar> {
-    /// Whether the device remaps the soil, and not the processor.
-    fn remaps(&self) -> bool;
-
     /// Elastic and kinetic energy of each row [J].
     fn energies(&mut self, model: &Model, values: &mut [[f64; 2]]);
 
@@ -106,7 +103,7 @@ pub trait DeviceRemap<R: Scalar> {
     fn average_density(&mut self, model: &Model, density: &mut [R]);
 }
 
-impl<R: Scalar<OnDevice: DeviceStage<R> + DeviceRemap<R>>> SoilWorkspace<R> {
+impl<R: Scalar<OnDevice: DeviceStage<R>>> SoilWorkspace<R> {
     /// Sums of the Lagrangian stage over the block, once a device has done it.
     pub(crate) fn end_stage(&mut self, model: &Model, state: &mut State<R>) -> StageSums {
         match &mut self.device {
@@ -116,10 +113,5 @@ impl<R: Scalar<OnDevice: DeviceStage<R> + DeviceRemap<R>>> SoilWorkspace<R> {
             }
             None => self.sums_of_stage(),
         }
-    }
-
-    /// The device, if there is one that remaps the soil.
-    pub(crate) fn remapping(&mut self) -> Option<&mut R::OnDevice> {
-        self.device.as_mut().filter(|device| device.remaps())
     }
 }

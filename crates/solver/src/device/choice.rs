@@ -7,7 +7,7 @@ use super::replay;
 use crate::fields::HISTORY;
 use crate::model::Model;
 use crate::scalar::Scalar;
-use ::kernels::launch::{MEASURED, POWERS, PlaneSum, ROW_SUMS};
+use ::kernels::launch::{MATERIALS, MEASURED, POWERS, PlaneSum, ROW_SUMS};
 use ::kernels::sums::COEFFICIENTS;
 use std::fmt;
 use std::str::FromStr;
@@ -80,6 +80,9 @@ pub fn require<R: Scalar>(model: &Model, driver: &dyn Driver) -> Result<(), Devi
     if model.pore_water.is_some() {
         return Err(DeviceError("pore water flows on the processor alone".to_owned()));
     }
+    if model.materials.len() > MATERIALS {
+        return Err(DeviceError(format!("soils of more than {MATERIALS} materials need the processor")));
+    }
     let needed = footprint::<R>(model);
     match driver.free_memory().filter(|free| needed > *free) {
         Some(free) => Err(DeviceError(format!(
@@ -96,8 +99,10 @@ pub fn require<R: Scalar>(model: &Model, driver: &dyn Driver) -> Result<(), Devi
 #[must_use]
 pub fn footprint<R: Scalar>(model: &Model) -> f64 {
     let history = HISTORY.iter().filter(|variable| model.kinds().need(variable)).count();
-    // Volume fraction, two masses, volume strain apart, stress, two velocities, displacement.
-    let reals = 4 + 6 + history + 6 + 3 + COEFFICIENTS + POWERS + MEASURED;
+    // Volume fraction, two masses, volume strain apart, stress, two velocities, displacement; of several
+    // materials the masses of the cells and the portions of all but the first.
+    let materials = if model.materials.len() > 1 { model.materials.len() } else { 0 };
+    let reals = 4 + 6 + history + materials + 6 + 3 + COEFFICIENTS + POWERS + MEASURED;
     let per_entry = reals * size_of::<R>() + 2;
     let (rows, planes) = (model.grid.rows() * (model.grid.cells()[2] + 3), model.grid.cells()[2] + 2);
     let sums = rows * (ROW_SUMS * size_of::<f64>() + 2) + planes * ROW_SUMS * size_of::<PlaneSum>();

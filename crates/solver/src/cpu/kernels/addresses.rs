@@ -11,7 +11,7 @@ use crate::device::{Address, DeviceError, Driver, Launch};
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
 use crate::model::Model;
-use ::kernels::launch::{Kernel, MEASURED, POWERS, PlaneSum, ROW_SUMS, Totals};
+use ::kernels::launch::{Kernel, MATERIALS, MEASURED, POWERS, PlaneSum, ROW_SUMS, Totals};
 use ::kernels::sums::COEFFICIENTS;
 use bytemuck::cast_slice;
 use std::ptr::{null, null_mut};
@@ -32,8 +32,11 @@ pub(super) struct Addresses {
     faces: [Address; 3],
     widths: [Address; 4],
     pub(super) fraction: Address,
-    /// Masses of the cells; where there are several materials, as if all soil of a cell were of its main one.
+    /// Masses of the cells, as if all soil of each were of its main material.
     pub(super) soil_mass: Address,
+    /// Masses of the cells: the same array where there is only one material.
+    pub(super) cell_mass: Address,
+    pub(super) composition: [Option<Address>; MATERIALS - 1],
     pub(super) apart: Address,
     pub(super) mass: Address,
     pub(super) stress: [Address; 6],
@@ -79,6 +82,11 @@ impl Addresses {
             *own = Some(array(())?);
         }
         let [fraction, soil_mass, apart, mass] = each([(); 4], &mut array)?;
+        let mut composition = [None; MATERIALS - 1];
+        for (own, _) in composition.iter_mut().zip(&state.soil.composition) {
+            *own = Some(array(())?);
+        }
+        let cell_mass = if model.materials.len() == 1 { soil_mass } else { array(())? };
         let stress = each([(); 6], &mut array)?;
         let velocity = [each([(); 3], &mut array)?, each([(); 3], &mut array)?];
         let displacement = each([(); 3], &mut array)?;
@@ -97,6 +105,8 @@ impl Addresses {
             widths,
             fraction,
             soil_mass,
+            cell_mass,
+            composition,
             apart,
             mass,
             stress,
@@ -118,6 +128,8 @@ impl Addresses {
         let grid = &model.grid;
         let pointers = |velocity: [Address; 3]| velocity.map(Address::pointer);
         let inside = grid.inside(0);
+        let mut densities = [0.0; MATERIALS];
+        densities.iter_mut().zip(model.densities()).for_each(|(own, density)| *own = density);
         let widths = self.widths.map(|widths| widths.pointer::<Real>().cast_const());
         Arrays {
             entries: grid.entries,
@@ -141,6 +153,12 @@ impl Addresses {
             width_yz: [widths[2], widths[3]],
             fraction: self.fraction.pointer(),
             soil_mass: self.soil_mass.pointer(),
+            materials: model.materials.len(),
+            densities,
+            cell_mass: self.cell_mass.pointer(),
+            composition: self
+                .composition
+                .map(|own| own.map_or(null(), |at| at.pointer::<Real>().cast_const())),
             mass: self.mass.pointer(),
             stress: self.stress.map(Address::pointer),
             history: self.history.map(|own| own.map_or(null_mut(), Address::pointer)),
@@ -163,12 +181,14 @@ impl Addresses {
         stress.chain(history).chain([(self.apart, apart)]).collect()
     }
 
-    /// All arrays of soil of one material, beside those of some.
+    /// All arrays of soil, beside those of some.
     pub(super) fn soil<'a>(&self, soil: &'a mut Soil) -> Vec<Both<'a>> {
-        let Soil { fraction, mass, apart, stress, history, .. } = soil;
-        let amounts = [(self.fraction, fraction), (self.soil_mass, mass), (self.apart, apart)];
+        let Soil { fraction, mass, apart, stress, history, composition } = soil;
+        let amounts = [(self.fraction, fraction), (self.cell_mass, mass), (self.apart, apart)];
+        let portions = self.composition.into_iter().flatten().zip(composition);
         let history = self.history.into_iter().zip(history).filter_map(|(own, field)| Some((own?, field)));
-        amounts.into_iter().chain(self.stress.into_iter().zip(stress)).chain(history).collect()
+        let stress = self.stress.into_iter().zip(stress);
+        amounts.into_iter().chain(stress).chain(history).chain(portions).collect()
     }
 
     /// Velocities ahead and masses, beside the arrays of some nodes.

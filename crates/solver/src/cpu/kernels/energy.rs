@@ -1,7 +1,7 @@
 //! Energies of a row of the grid.
 
 use super::rows::energy::{Cells, elastic_row, kinetic_row};
-use super::{Nodes, Real, Soil};
+use super::{Nodes, Soil};
 use crate::grid::{Grid, LANES};
 use crate::material::Material;
 use crate::model::Model;
@@ -19,16 +19,16 @@ pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64
         faces: &grid.faces[0][columns.start..=columns.end],
         fraction: &soil.fraction[own.clone()],
         across: grid.width(1, q - 1) * grid.width(2, plane - 1),
+        kinds: &[],
+        kind: 0,
     };
     let stress = soil.stress.each_ref().map(|s| &s[own.clone()]);
     if let [material] = model.materials.as_slice() {
         return elastic_row(&material.elastic, material.stiffening().as_ref(), cells, stress);
     }
+    let kinds: Vec<u8> = own.clone().map(|c| soil.main_material(c) as u8).collect();
     let of_material = |(number, material): (usize, &Material)| {
-        let each = cells.fraction.iter().zip(own.clone());
-        let own: Vec<Real> =
-            each.map(|(f, c)| if soil.main_material(c) == number { *f } else { 0.0 }).collect();
-        let cells = Cells { fraction: &own, ..cells };
+        let cells = Cells { kinds: &kinds, kind: number as u8, ..cells };
         elastic_row(&material.elastic, material.stiffening().as_ref(), cells, stress)
     };
     model.materials.iter().enumerate().map(of_material).sum()

@@ -30,7 +30,7 @@ pub(crate) fn average(model: &Model, soil: &mut Soil, workspace: &mut Workspace,
     let found = model.materials.iter().enumerate().find_map(|(n, m)| Some((n, m.characteristic_length?)));
     let Some((number, length)) = found else { return };
     let Some(Law::Sand(law)) = workspace.materials[number].yield_law else { return };
-    if let Some(device) = workspace.remapping() {
+    if let Some(device) = &mut workspace.device {
         return device.average_density(model, &mut soil.history[NONLOCAL_DENSITY]);
     }
     let (passes, count) = passes(&model.grid, length);

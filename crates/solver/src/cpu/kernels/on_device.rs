@@ -38,8 +38,6 @@ pub struct OnDevice {
     pub(super) is_prepared: bool,
     /// Whether the state on the processor is complete.
     pub(super) is_home: bool,
-    /// Whether the device can remap the soil itself.
-    pub(super) remaps: bool,
     /// What remaps exchange of the ghost layers, and round the bodies.
     pub(super) ghosts: Region,
     pub(super) round: Region,
@@ -68,7 +66,6 @@ impl DeviceStage<Real> for OnDevice {
     ) -> Done<Self> {
         let held = Addresses::new(model, state, &workspace.width_x, &mut *driver)?;
         driver.write(held.held, &held_components(model))?;
-        let remaps = model.materials.len() == 1;
         let mut region = Region::default();
         region.renew(ghosts, &mut *driver)?;
         Ok(Self {
@@ -79,7 +76,6 @@ impl DeviceStage<Real> for OnDevice {
             is_current: false,
             is_prepared: false,
             is_home: true,
-            remaps,
             ghosts: region,
             round: Region::default(),
             closed: Listed::default(),
@@ -325,7 +321,11 @@ impl OnDevice {
         let (grid, held, driver) = (&model.grid, &self.held, &mut self.driver);
         let State { soil, nodes: Nodes { velocity, displacement, mass }, .. } = state;
         driver.write(held.fraction, cast_slice(&soil.fraction))?;
+        driver.write(held.cell_mass, cast_slice(&soil.mass))?;
         driver.write(held.soil_mass, cast_slice(workspace.mass_of_laws(&soil.mass)))?;
+        for (to, from) in held.composition.into_iter().flatten().zip(&soil.composition) {
+            driver.write(to, cast_slice(from))?;
+        }
         driver.write(held.mass, cast_slice(mass))?;
         let nodes = held.displacement.into_iter().zip(displacement);
         let nodes = nodes.chain(held.velocity[held.ahead].into_iter().zip(velocity));

@@ -53,7 +53,7 @@ impl Inputs<'_> {
 /// Removes debris, closes gaps that stand under pressure, returns stresses to the yield surface; in the
 /// `active` rows, the only ones with soil. Volume [m³] and mass [kg] of the debris are in the rows' values.
 pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut Workspace, active: &[bool]) {
-    if let Some(device) = workspace.device.as_mut().filter(|device| device.remaps()) {
+    if let Some(device) = &mut workspace.device {
         return device.update_after_remap(model, &workspace.materials, &mut workspace.row_values);
     }
     let Workspace {

@@ -62,11 +62,19 @@ impl OnDevice {
         launch(&mut *self.driver, kernel, model.grid.entries, &self.held.arrays(model), pass)
     }
 
+    /// Finds the main material of each cell, where there are several.
+    fn mix(&mut self, model: &Model) -> Done {
+        if model.materials.len() == 1 {
+            return Ok(());
+        }
+        launch(&mut *self.driver, Kernel::Mix, model.grid.entries, &self.held.arrays(model), &0_u64)
+    }
+
     fn sweep_along(&mut self, model: &Model, axis: usize, filled: &[usize]) -> Done {
         let mut held = self.held;
         let mut sweep = Sweep { driver: &mut *self.driver, arrays: held.arrays(model), axis };
         let [soil, cell, mut flux] = held.velocity[1 - held.ahead];
-        let (mut spare, mass) = (held.fraction, held.soil_mass);
+        let (mut spare, mass) = (held.fraction, held.cell_mass);
         let (displacement, reach) = (held.displacement[axis], held.displacement[axis]);
         sweep.run(Kernel::VolumeFraction, &[soil, cell], spare, 0.0)?;
         sweep.run(Kernel::VolumeFlux, &[displacement, spare, soil, cell], flux, 0.0)?;
@@ -76,7 +84,9 @@ impl OnDevice {
         let needed = held.history.iter_mut().zip(HISTORY).filter_map(|(field, h)| Some((field.as_mut()?, h)));
         let (by_volume, by_mass): (Vec<_>, Vec<_>) =
             needed.partition(|(_, variable)| variable.carrier == Carrier::Volume);
-        for field in held.stress.iter_mut().chain(by_volume.into_iter().map(|(field, _)| field)) {
+        let by_volume = by_volume.into_iter().map(|(field, _)| field);
+        let portions = held.composition.iter_mut().flatten();
+        for field in held.stress.iter_mut().chain(by_volume).chain(portions) {
             sweep.run(Kernel::Carry, &[soil, *field, flux, reach], spare, 0.0)?;
             std::mem::swap(field, &mut spare);
         }
@@ -100,14 +110,13 @@ impl OnDevice {
         Ok(())
     }
 
-    /// Averages the density of the only sand; what is measured at nodes in steps makes room for that.
+    /// Averages the density of the sand with a characteristic length; what is measured at nodes in steps makes
+    /// room for that.
     fn average(&mut self, model: &Model, density: &mut [Real]) -> Done {
-        let material = model.material();
-        let (Some(length), Some(::physics::law::Law::Sand(law))) =
-            (material.characteristic_length, &material.yield_law)
-        else {
-            return Ok(());
-        };
+        let found =
+            model.materials.iter().enumerate().find_map(|(n, m)| Some((n, m, m.characteristic_length?)));
+        let Some((number, material, length)) = found else { return Ok(()) };
+        let Some(::physics::law::Law::Sand(law)) = &material.yield_law else { return Ok(()) };
         let Some(stored) = self.held.history[NONLOCAL_DENSITY] else { return Ok(()) };
         let arrays = self.held.arrays(model);
         let [mut own, mut other] =
@@ -115,8 +124,12 @@ impl OnDevice {
         for at in self.held.measured {
             self.driver.clear(at, arrays.entries * size_of::<Real>())?;
         }
-        let mut averaging =
-            Averaging { pass: pass(0, &[], &own, 0.0), weights: null(), law: Sand::cast(law) };
+        let mut averaging = Averaging {
+            pass: pass(0, &[], &own, 0.0),
+            weights: null(),
+            law: Sand::cast(law),
+            kind: number as u8 + 1,
+        };
         launch(&mut *self.driver, Kernel::CollectDensity, arrays.entries, &arrays, &averaging)?;
         let (passes, count) = passes(&model.grid, length);
         let mut weights = Vec::new();
@@ -181,20 +194,18 @@ impl Sweep<'_> {
 }
 
 impl DeviceRemap<Real> for OnDevice {
-    fn remaps(&self) -> bool {
-        self.remaps
-    }
-
     fn energies(&mut self, model: &Model, values: &mut [[f64; 2]]) {
         self.unless_failed(|device| {
-            let material = model.material();
-            let law = Elasticity {
-                elastic: material.elastic,
-                stiffening: material.stiffening().unwrap_or(Stiffening { least: 1.0, most: 1.0 }),
-                stiffens: material.stiffening().is_some(),
-            };
             let arrays = device.held.arrays(model);
-            launch(&mut *device.driver, Kernel::RowEnergies, values.len(), &arrays, &law)?;
+            for (number, material) in model.materials.iter().enumerate() {
+                let law = Elasticity {
+                    elastic: material.elastic,
+                    stiffening: material.stiffening().unwrap_or(Stiffening { least: 1.0, most: 1.0 }),
+                    stiffens: material.stiffening().is_some(),
+                    kind: number as u8 + 1,
+                };
+                launch(&mut *device.driver, Kernel::RowEnergies, values.len(), &arrays, &law)?;
+            }
             device.read_rows(&model.grid, values)
         });
     }
@@ -254,8 +265,9 @@ impl DeviceRemap<Real> for OnDevice {
             let arrays = held.arrays(model);
             device.driver.clear(held.fraction, arrays.entries * size_of::<Real>())?;
             let [volume, ..] = held.velocity[1 - held.ahead];
-            let fields = pass(0, &[volume], &[held.fraction, held.soil_mass], FRACTION_KEPT);
+            let fields = pass(0, &[volume], &[held.fraction, held.cell_mass], FRACTION_KEPT);
             launch(&mut *device.driver, Kernel::NewFractions, debris.len(), &arrays, &fields)?;
+            device.mix(model)?;
             device.all_cells(materials, &arrays, true)?;
             device.read_rows(&model.grid, debris)
         });
@@ -271,10 +283,11 @@ impl DeviceRemap<Real> for OnDevice {
             for at in held.displacement.into_iter().chain(held.velocity[1 - held.ahead]) {
                 device.driver.clear(at, model.grid.entries * size_of::<Real>())?;
             }
-            device.pass(model, Kernel::NodalMass, &pass(0, &[held.soil_mass], &[held.mass], 0.0))?;
+            device.pass(model, Kernel::NodalMass, &pass(0, &[held.cell_mass], &[held.mass], 0.0))?;
             let State { soil, nodes, .. } = state;
-            let amounts = [(held.fraction, &mut soil.fraction), (held.soil_mass, &mut soil.mass)];
-            for (from, to) in amounts.into_iter().chain([(held.mass, &mut nodes.mass)]) {
+            let amounts = [(held.fraction, &mut soil.fraction), (held.cell_mass, &mut soil.mass)];
+            let portions = held.composition.into_iter().flatten().zip(&mut soil.composition);
+            for (from, to) in amounts.into_iter().chain([(held.mass, &mut nodes.mass)]).chain(portions) {
                 device.driver.read(from, cast_slice_mut(to))?;
             }
             device.is_prepared = false;
@@ -298,6 +311,8 @@ impl DeviceRemap<Real> for OnDevice {
     fn stop_massless(&mut self, model: &Model) {
         self.unless_failed(|device| {
             let held = device.held;
+            // Soil that was moved out of bodies has mixed with other.
+            device.mix(model)?;
             for velocity in held.velocity[held.ahead] {
                 let fields = pass(0, &[held.mass], &[velocity], model.mass_moved());
                 device.pass(model, Kernel::StopMassless, &fields)?;

@@ -39,7 +39,7 @@ pub(crate) fn begin_remap(
     active: &[bool],
     shift: DVec3,
 ) {
-    if let Some(device) = workspace.remapping() {
+    if let Some(device) = &mut workspace.device {
         return device.begin_remap(model, active, shift);
     }
     let Workspace { team, partition, .. } = workspace;
@@ -54,7 +54,7 @@ pub(crate) fn begin_remap(
 
 /// Volumes of soil and cells on the displaced grid.
 pub(crate) fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
-    if let Some(device) = workspace.remapping() {
+    if let Some(device) = &mut workspace.device {
         return device.displaced_volumes(model);
     }
     let layout = model.grid.layout();
@@ -82,7 +82,7 @@ pub(crate) fn sweep(
     active: &[bool],
     filled: &[usize],
 ) {
-    if let Some(device) = workspace.remapping() {
+    if let Some(device) = &mut workspace.device {
         return device.sweep(model, axis, filled);
     }
     let grid = &model.grid;
@@ -177,7 +177,7 @@ pub(crate) fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Real], node_mas
 /// arrays zero where there is no soil, as the Lagrangian stage expects them.
 pub(crate) fn reset_nodes(model: &Model, state: &mut State, workspace: &mut Workspace) {
     let Workspace { team, partition, velocity_before, device, .. } = workspace;
-    if let Some(device) = device.as_mut().filter(|device| device.remaps()) {
+    if let Some(device) = device {
         return device.reset_nodes(model, state, velocity_before);
     }
     for array in state.nodes.displacement.iter_mut().chain(velocity_before) {
@@ -189,7 +189,7 @@ pub(crate) fn reset_nodes(model: &Model, state: &mut State, workspace: &mut Work
 
 /// Stops nodes that have lost their soil; only after a remap, not between sweeps.
 pub(crate) fn stop_massless(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    if let Some(device) = workspace.remapping() {
+    if let Some(device) = &mut workspace.device {
         return device.stop_massless(model);
     }
     let Workspace { team, partition, .. } = workspace;
