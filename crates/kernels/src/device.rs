@@ -204,19 +204,29 @@ unsafe fn forget<const HISTORY: u32>(a: &Arrays, c: usize) {
 /// There must be such a cell.
 #[inline(always)]
 unsafe fn is_concerned<L>(a: &Arrays, material: &Material<L>, c: usize) -> bool {
-    let [row, plane] = a.stride;
-    let (column, q, p) = (c % row, c % plane / row, c / plane);
-    let [nx, ny, nz] = a.cells;
     // SAFETY: as the caller promises.
     unsafe {
+        let kind = *a.kind.add(c);
         if material.is_after_remap {
-            let is_cell = (1..=nx).contains(&column) && (1..=ny).contains(&q) && (1..=nz).contains(&p);
-            let is_own = a.materials == 1 || *a.kind.add(c) == material.kind;
-            is_cell && *a.row_active.add(c / row) && is_own
+            may_hold_soil(a, c) && (a.materials == 1 || kind == material.kind)
         } else {
-            *a.kind.add(c) == material.kind
+            kind == material.kind
         }
     }
+}
+
+/// Whether this is a cell of a row that may hold soil during a remap.
+///
+/// # Safety
+/// It must be an index in memory within the planes of the grid.
+#[inline(always)]
+pub(super) unsafe fn may_hold_soil(a: &Arrays, c: usize) -> bool {
+    let ([row, plane], [nx, ny, nz]) = (a.stride, a.cells);
+    let is_cell = (1..=nx).contains(&(c % row))
+        && (1..=ny).contains(&(c % plane / row))
+        && (1..=nz).contains(&(c / plane));
+    // SAFETY: as the caller promises.
+    is_cell && unsafe { *a.row_active.add(c / row) }
 }
 
 /// Moves a node under the forces of the eight cells round it, and measures it.
@@ -279,13 +289,13 @@ unsafe fn pairs(a: &Arrays, cell: usize) -> [Real; 2 * COEFFICIENTS] {
     out
 }
 
-/// Numbers of a row in the first eight of which a kernel has left the sums of their lanes.
-struct Laned {
+/// Numbers of a row that are added up in eight lanes: the first eight make room for the sums of these.
+struct Series {
     start: *mut Real,
     count: usize,
 }
 
-impl Laned {
+impl Series {
     /// Adds up the numbers of a lane, or finds the largest, and leaves that in the first of them.
     ///
     /// # Safety
@@ -360,7 +370,7 @@ pub unsafe fn sum_lane(a: &Arrays, thread: usize) {
         });
         if *a.row_flags.add(r) & NODES != 0 {
             for (n, measured) in a.measured.iter().enumerate() {
-                let nodes = Laned { start: measured.add(r * row + 1), count: a.nodes_in_row };
+                let nodes = Series { start: measured.add(r * row + 1), count: a.nodes_in_row };
                 nodes.reduce(lane, |so_far, own| if n < 2 { so_far + own } else { larger(so_far, own) });
             }
         }
@@ -375,8 +385,8 @@ struct CellsOfBlock {
 
 impl CellsOfBlock {
     #[inline(always)]
-    fn of(&self, array: &*mut Real) -> Laned {
-        Laned { start: array.wrapping_add(self.first), count: self.count }
+    fn of(&self, array: &*mut Real) -> Series {
+        Series { start: array.wrapping_add(self.first), count: self.count }
     }
 }
 
@@ -427,7 +437,7 @@ pub unsafe fn sum_row(a: &Arrays, r: usize) {
             sums[1] += viscous * dt;
             sums[2] += damped * dt;
         });
-        let measured = |n: usize| Laned { start: a.measured[n].add(r * row + 1), count: a.nodes_in_row };
+        let measured = |n: usize| Series { start: a.measured[n].add(r * row + 1), count: a.nodes_in_row };
         let [mut gravity, mut kinetic, mut displacement, mut light] = [0.0_f64; 4];
         if *a.row_flags.add(r) & NODES != 0 {
             (gravity, kinetic) = (measured(0).lanes().total(), measured(1).lanes().total());

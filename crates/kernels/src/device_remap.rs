@@ -5,6 +5,7 @@
 #![allow(unsafe_code)] // The arrays of a device are known by their addresses alone.
 
 use super::Real;
+use super::device::may_hold_soil;
 use super::device_arrays::Arrays;
 use super::energy::{Cells, elastic_row, kinetic_row};
 use super::flux::{FluxInputs, close_face};
@@ -244,12 +245,9 @@ impl Own<'_> {
 /// The addresses must be those of arrays of the grid, and no other thread may have the same cell.
 #[inline(always)]
 pub unsafe fn mix(a: &Arrays, c: usize) {
-    let ([row, plane], [nx, ny, nz]) = (a.stride, a.cells);
-    let layers = [c % row, c % plane / row, c / plane];
-    let is_cell = layers.into_iter().zip([nx, ny, nz]).all(|(n, count)| (1..=count).contains(&n));
     // SAFETY: all addresses are those of the cell, or of its row.
     unsafe {
-        if is_cell && *a.row_active.add(c / row) {
+        if may_hold_soil(a, c) {
             let others = a.composition.iter().take(a.materials - 1).map(|portion| f64::from(*portion.add(c)));
             let densities = &a.densities[..a.materials];
             *a.kind.add(c) = 1 + main_material(others.clone()) as u8;

@@ -1,7 +1,7 @@
 //! The loops over cells and nodes of soil that a time step consists of.
 //!
-//! All functions work on rows of cells or nodes that they are handed as slices; there are no files or
-//! threads in them, and a grid only where a device must find the rows itself, by their strides. They are
+//! All functions work on rows of cells or nodes, or parts of them; there are no files or threads in them,
+//! and of a grid only its layout in memory. They are
 //! written once, for numbers of the type `Real`, and compiled in [`double`] and in [`single`] precision: for
 //! the processor in vectors, for a graphics card with rows of one cell.
 // The same files on purpose; conversions that widen a number in single precision do nothing in double.

@@ -37,11 +37,11 @@ pub(crate) fn lend<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &
     if let Some(device) = &mut workspace.device {
         device.clear_apart(model);
         let own = cells.iter().map(|(cell, _)| *cell);
-        device.take_round(model, state, Touched::of(std::iter::empty(), own));
+        device.take_region(model, state, Touched::of(std::iter::empty(), own));
     }
     cells.iter().for_each(|(cell, void)| lend_one(model, &mut state.soil, *cell, *void));
     if let Some(device) = &mut workspace.device {
-        device.give_round(model, state);
+        device.give_region(model, state);
     }
 }
 

@@ -61,7 +61,7 @@ pub fn remap<R: Kernels>(model: &Model, state: &mut State<R>, workspace: &mut Wo
     contact::remove_overlap(model, state, soil, contact, halo);
     contact::carry(model, state, &contact.body_cells);
     if let Some(device) = &mut soil.device {
-        device.give_round(model, state);
+        device.give_region(model, state);
     }
     R::stop_massless(model, state, soil);
     soil.find_soil(grid, &state.soil);

@@ -81,6 +81,17 @@ fn a_device_without_memory_is_refused() {
 }
 
 #[test]
+fn more_materials_than_a_device_remaps_are_refused() {
+    let mut model = disc();
+    let soil = model.materials[0];
+    model.materials.resize(9, soil);
+    let mut state: State = at_rest(&model, &below(0.0));
+    let mut workspace = Workspace::new(&model, &mut state, 1);
+    let refused = workspace.use_device(&model, &state, Box::<Replay>::default()).unwrap_err();
+    assert!(refused.0.contains("more than 8 materials"), "{refused}");
+}
+
+#[test]
 fn a_run_whose_device_is_lost_breaks_down() {
     let model = disc();
     let mut driver = Replay::default();

@@ -39,7 +39,7 @@ pub(crate) fn remove_overlap<R: Kernels>(
 ) {
     find_bodies(model, state, soil, &mut contact.body_cells);
     if let Some(device) = &mut soil.device {
-        device.take_round(model, state, near(&model.grid, &contact.body_cells));
+        device.take_region(model, state, near(&model.grid, &contact.body_cells));
     }
     let own = contact.body_cells.iter().map(|c| c.cell);
     let mut cells: Vec<usize> = own.filter(|cell| model.grid.is_in_domain(*cell)).collect();

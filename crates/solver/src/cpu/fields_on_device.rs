@@ -88,10 +88,10 @@ pub trait DeviceRemap<R: Scalar> {
     fn reset_nodes(&mut self, model: &Model, state: &mut State<R>, before: &mut [Vec<R>; 3]);
 
     /// Takes the soil of some cells, and the velocities and masses of some nodes.
-    fn take_round(&mut self, model: &Model, state: &mut State<R>, touched: Touched);
+    fn take_region(&mut self, model: &Model, state: &mut State<R>, touched: Touched);
 
     /// Gives them back.
-    fn give_round(&mut self, model: &Model, state: &mut State<R>);
+    fn give_region(&mut self, model: &Model, state: &mut State<R>);
 
     /// Stops the nodes that have no mass.
     fn stop_massless(&mut self, model: &Model);
@@ -99,7 +99,8 @@ pub trait DeviceRemap<R: Scalar> {
     /// Forgets the volume strains of soil apart from those of its cells.
     fn clear_apart(&mut self, model: &Model);
 
-    /// Renews the nonlocal densities of the only sand, and takes them from the device.
+    /// Renews the nonlocal densities of the sand with a characteristic length, and takes them from the
+    /// device.
     fn average_density(&mut self, model: &Model, density: &mut [R]);
 }
 

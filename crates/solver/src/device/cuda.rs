@@ -11,7 +11,7 @@ use std::ffi::{CString, c_void};
 /// The kernels for a device, in the language that its driver compiles.
 const PTX: [&str; 2] = [::kernels::PTX_SINGLE, ::kernels::PTX_DOUBLE];
 
-/// Threads in a block: a multiprocessor has registers for two blocks in double precision, at 250 a
+/// Threads in a block: a multiprocessor has registers for two blocks in double precision, at 210 a
 /// thread.
 const BLOCK: u32 = 128;
 

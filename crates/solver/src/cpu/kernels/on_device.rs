@@ -38,9 +38,10 @@ pub struct OnDevice {
     pub(super) is_prepared: bool,
     /// Whether the state on the processor is complete.
     pub(super) is_home: bool,
-    /// What remaps exchange of the ghost layers, and round the bodies.
+    /// What remaps exchange of the ghost layers.
     pub(super) ghosts: Region,
-    pub(super) round: Region,
+    /// What the processor has taken last during a remap.
+    pub(super) region: Region,
     /// Faces that a sweep closes.
     pub(super) closed: Listed,
     sums: StageSums,
@@ -66,8 +67,8 @@ impl DeviceStage<Real> for OnDevice {
     ) -> Done<Self> {
         let held = Addresses::new(model, state, &workspace.width_x, &mut *driver)?;
         driver.write(held.held, &held_components(model))?;
-        let mut region = Region::default();
-        region.renew(ghosts, &mut *driver)?;
+        let mut beyond = Region::default();
+        beyond.renew(ghosts, &mut *driver)?;
         Ok(Self {
             driver,
             held,
@@ -76,8 +77,8 @@ impl DeviceStage<Real> for OnDevice {
             is_current: false,
             is_prepared: false,
             is_home: true,
-            ghosts: region,
-            round: Region::default(),
+            ghosts: beyond,
+            region: Region::default(),
             closed: Listed::default(),
             sums: StageSums::default(),
             failed: None,

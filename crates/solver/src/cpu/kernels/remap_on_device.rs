@@ -110,8 +110,8 @@ impl OnDevice {
         Ok(())
     }
 
-    /// Averages the density of the sand with a characteristic length; what is measured at nodes in steps makes
-    /// room for that.
+    /// Averages the density of the sand with a characteristic length; what is measured at nodes in steps
+    /// makes room for that.
     fn average(&mut self, model: &Model, density: &mut [Real]) -> Done {
         let found =
             model.materials.iter().enumerate().find_map(|(n, m)| Some((n, m, m.characteristic_length?)));
@@ -295,16 +295,16 @@ impl DeviceRemap<Real> for OnDevice {
         });
     }
 
-    fn take_round(&mut self, model: &Model, state: &mut State, touched: Touched) {
+    fn take_region(&mut self, model: &Model, state: &mut State, touched: Touched) {
         self.unless_failed(|device| {
-            device.round.renew(touched, &mut *device.driver)?;
-            device.exchange(model, Direction::Take, state, |own| &mut own.round, None)
+            device.region.renew(touched, &mut *device.driver)?;
+            device.exchange(model, Direction::Take, state, |own| &mut own.region, None)
         });
     }
 
-    fn give_round(&mut self, model: &Model, state: &mut State) {
+    fn give_region(&mut self, model: &Model, state: &mut State) {
         self.unless_failed(|device| {
-            device.exchange(model, Direction::Give, state, |own| &mut own.round, None)
+            device.exchange(model, Direction::Give, state, |own| &mut own.region, None)
         });
     }
 
